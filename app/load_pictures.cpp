@@ -24,11 +24,11 @@ const PictureFunctions& pictures() {
   static const PictureFunctions* functions = [] {
     const std::filesystem::path file = module_file();
     if (!exists(file))
-      throw Error("pictures cannot be drawn: " + path_text(file) +
-                  " is missing. In Debian's packages it is in loopmend-pictures.");
+      throw Error(say("pictures cannot be drawn: %1 is missing. In Debian's packages it is in loopmend-pictures.",
+                      path_text(file)));
     void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* function = module ? dlsym(module, picture_functions_name) : nullptr;
-    if (!function) throw Error("pictures cannot be drawn: " + path_text(file) + " was not loaded (" + dlerror() + ").");
+    if (!function) throw Error(say("pictures cannot be drawn: %1 was not loaded (%2).", path_text(file), dlerror()));
     return reinterpret_cast<const PictureFunctions* (*)()>(function)();
   }();
   return *functions;
@@ -42,6 +42,11 @@ std::string render_surface(const SurfaceModel& model, const RenderOptions& optio
 
 std::string render_before_after(const SurfaceModel& before, const SurfaceModel& after, const RenderOptions& options) {
   return pictures().before_after(before, after, options);
+}
+
+std::size_t render_film(std::ostream& out, const SurfaceModel& model, const std::vector<FilmState>& states,
+                        const RenderOptions& options) {
+  return pictures().film(out, model, states, options);
 }
 
 std::string render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options) {

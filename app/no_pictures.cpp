@@ -8,7 +8,7 @@ namespace loopmend {
 
 namespace {
 
-[[noreturn]] void refuse() { throw Error("this program was built without VTK and draws no pictures."); }
+[[noreturn]] void refuse() { throw Error(say("this program was built without VTK and draws no pictures.")); }
 
 }  // namespace
 

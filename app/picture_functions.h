@@ -2,6 +2,7 @@
 // What the command line takes from the module that draws pictures (load_pictures.cpp, pictures_module.cpp). Both are of one build.
 #pragma once
 
+#include "scene/film.h"
 #include "scene/offscreen_render.h"
 
 namespace loopmend {
@@ -10,6 +11,7 @@ struct PictureFunctions {
   decltype(&render_surface) surface;
   decltype(&render_before_after) before_after;
   decltype(&render_panels) panels;
+  decltype(&render_film) film;
 };
 
 /// The function that the module exports, with C linkage.

@@ -4,6 +4,6 @@
 
 extern "C" [[gnu::visibility("default")]] const loopmend::PictureFunctions* loopmend_picture_functions() {
   static const loopmend::PictureFunctions functions{loopmend::render_surface, loopmend::render_before_after,
-                                                    loopmend::render_panels};
+                                                    loopmend::render_panels, loopmend::render_film};
   return &functions;
 }

@@ -21,6 +21,7 @@ struct RenderOptions;
 /// Wrong usage that only shows once the input is read: exit code 2.
 class UsageError : public Error {
  public:
+  explicit UsageError(std::string_view text) : Error(verbatim(text)) {}  // the command line speaks English
   using Error::Error;
 };
 

@@ -149,7 +149,7 @@ void add_render(CLI::App& app, RenderCommand& command) {
       "  loopmend render scan.ply --film flow.gif --loop 3 --mode steps --sigma 0.1 --size 640x480");
 }
 
-int say(const std::exception& error, int code) {
+int fail_with(const std::exception& error, int code) {
   std::fprintf(stderr, "loopmend: %s\n", error.what());
   return code;
 }
@@ -166,8 +166,10 @@ int affordable_threads(int threads) {
   const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int affordable = claim_work_memory(wanted);
   if (affordable > 0) return affordable == wanted ? threads : affordable;
-  throw LimitError("the address space of this process is limited (ulimit -v), and " +
-                   std::to_string(least_work_memory >> 20) + " MB that the work needs are not left. Raise the limit.");
+  throw LimitError(
+      say("the address space of this process is limited (ulimit -v), and %1 MB that the work needs are not left. Raise "
+          "the limit.",
+          least_work_memory >> 20));
 }
 
 /// How many words are batch's own: those behind "--" are options of fill.
@@ -238,15 +240,15 @@ int dispatch(int argc, char** argv) {
     if (reader_has_gone()) return exit_reader_gone;
     return say_with_files("standard output cannot be written; is the disk full?", exit_unwritable);
   } catch (const ReadError& error) {
-    return say(error, exit_unreadable);
+    return fail_with(error, exit_unreadable);
   } catch (const WriteError& error) {
     return say_with_files(error.what(), exit_unwritable);
   } catch (const LimitError& error) {
     return say_with_files(error.what(), exit_internal);
   } catch (const UsageError& error) {
-    return say(error, exit_usage);
+    return fail_with(error, exit_usage);
   } catch (const InvalidArgument& error) {
-    return say(error, exit_usage);
+    return fail_with(error, exit_usage);
   } catch (const std::bad_alloc&) {
     return say_with_files("out of memory. A smaller --density or fewer loops at once need less.", exit_internal);
   } catch (const Error& error) {

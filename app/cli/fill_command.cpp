@@ -66,7 +66,7 @@ void print_reasons(std::FILE* out, const std::vector<HoleResult>& results, Detai
   std::map<std::string, std::vector<int>> loops_of;
   for (const HoleResult& r : results) {
     if (r.reason().empty()) continue;
-    const std::string reason = r.method() + ": " + r.reason();
+    const std::string reason = r.method() + ": " + r.reason().english();
     loops_of[detail == Detail::all ? reason : without_numbers(reason)].push_back(r.loop.number);
   }
   for (const auto& [reason, numbers] : loops_of) {
@@ -211,7 +211,8 @@ void print_cure(std::FILE* out, const ScanPlan& scan, int wide_cracks) {
 /// What became of very many loops: how many there are for each outcome, and each thing that is said of them.
 void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
   std::map<std::pair<std::string, std::string>, int> count;
-  for (const HoleResult& result : results) ++count[{to_string(result.status), without_numbers(result.message)}];
+  for (const HoleResult& result : results)
+    ++count[{to_string(result.status), without_numbers(result.message.english())}];
   for (const auto& [what, loops] : count)
     std::fprintf(out, "%s %s%s%s\n", counted(loops, "loop", "loops").c_str(), what.first.c_str(),
                  what.second.empty() ? "" : ": ", what.second.c_str());
@@ -234,8 +235,7 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
                    before_and_after(r.seam_before().g1_rms_deg, r.seam_after().g1_rms_deg).c_str(),
                    before_and_after(r.seam_before().h_jump_rms_times_diameter, r.seam_after().h_jump_rms_times_diameter)
                        .c_str());
-    std::string remark = verdict.sentence();
-    if (!r.message.empty()) remark += (remark.empty() ? "" : "; ") + r.message;
+    const std::string remark = joined(verdict.message(), "; ", r.message).english();
     std::fprintf(out, "%s%s\n", remark.empty() ? "" : "  ", remark.c_str());
   }
   if (!all) {
@@ -303,7 +303,7 @@ void print_beside(std::FILE* out, const WrittenScan& written) {
   for (const std::filesystem::path& file : written.beside)
     names += (names.empty() ? "" : ", ") + path_text(file.filename());
   if (!names.empty()) std::fprintf(out, "Beside it: %s.\n", names.c_str());
-  for (const std::string& remark : written.remarks) std::fprintf(out, "%s\n", remark.c_str());
+  for (const Message& remark : written.remarks) std::fprintf(out, "%s\n", remark.english().c_str());
 }
 
 /// What was done to the scan before it was filled.
@@ -338,7 +338,8 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
 /// The first reason, where there is one.
 std::string why_open(const std::vector<HoleResult>& results) {
   for (const HoleResult& result : results)
-    if (!result.message.empty()) return " (loop " + std::to_string(result.loop.number) + ": " + result.message + ")";
+    if (!result.message.empty())
+      return " (loop " + std::to_string(result.loop.number) + ": " + result.message.english() + ")";
   return "";
 }
 
@@ -391,7 +392,8 @@ int run_fill(const FillCommand& command) {
   json["output"]["beside"] = nlohmann::ordered_json::array();
   for (const std::filesystem::path& file : written.beside) json["output"]["beside"].push_back(path_text(file));
   json["output"]["painted_triangles"] = written.painted;
-  json["output"]["remarks"] = written.remarks;
+  json["output"]["remarks"] = nlohmann::ordered_json::array();
+  for (const Message& remark : written.remarks) json["output"]["remarks"].push_back(remark.english());
   if (verdict) json["check"] = verdict_json(*verdict);
   json["stopped"] = stopped;
   json["peak_memory_mb"] = peak_memory_of_process() / (1 << 20);

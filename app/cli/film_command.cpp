@@ -51,7 +51,7 @@ class FilmRecording {
     if (result.status == PatchStatus::filled) states_.resize(1);  // the steps were thrown away
     std::string method = method_name(result);
     std::replace(method.begin(), method.end(), '_', ' ');
-    const bool by_flow = method.rfind(flow_, 0) == 0;  // also its split and mixed forms
+    const bool by_flow = method.rfind(flow_, 0) == 0;       // also its split and mixed forms
     if (by_flow && states_.size() > 1) states_.pop_back();  // the last step comes as the result
     states_.push_back(made(result.patch, by_flow ? "step " + std::to_string(steps_) + ", the result" : method));
   }
@@ -91,8 +91,8 @@ std::vector<FilmState> recorded_flow(const SurfaceModel& model, const BoundaryLo
   options.evolution->sigma = command.sigma;
   const ScanIndex scan(model);
   const InitialPatch initial = make_surveyed_patch(model, {loop}, options.initial, {});
-  const auto refuse = [&](const std::string& why) {
-    throw Error("loop " + std::to_string(loop.number) + " cannot be filled, so there is no film: " + why + ".");
+  const auto refuse = [&](const Message& why) {
+    throw Error(say("loop %1 cannot be filled, so there is no film: %2.", loop.number, why));
   };
   if (!initial.patch) refuse(initial.message());
   FilmRecording recording(scene_origin(model.soup), command.flow);

@@ -40,7 +40,8 @@ void print_import(const ImportReport& import, const ModelRepairs& repairs) {
               "vertices lie exactly on another; they are kept apart");
   print_count(import.degenerate_faces, "face has no area; it is kept", "faces have no area; they are kept");
   print_count(import.duplicate_faces, "face is there twice; it is kept", "faces are there twice; they are kept");
-  for (const NotKept& oddity : import.oddities) print_count(oddity.count, oddity.what.c_str(), oddity.what.c_str());
+  for (const NotKept& oddity : import.oddities)
+    print_count(oddity.count, oddity.what.english().c_str(), oddity.what.english().c_str());
   print_count(import.missing_colors, "vertex has no colour in a file with colours; it is white",
               "vertices have no colour in a file with colours; they are white");
   print_count(repairs.non_manifold_edges, "edge has more than two faces", "edges have more than two faces");

@@ -18,7 +18,7 @@ SurfaceModel model_of(const std::filesystem::path& path, TriangleSoup soup, View
     }
     return make_surface_model(std::move(soup), std::move(survey));
   } catch (const InvalidArgument& error) {
-    throw ReadError(path, error.what(), "", "Check the mesh in the program that made it.");
+    throw ReadError(path, error.message(), {}, say("Check the mesh in the program that made it."));
   }
 }
 

@@ -47,8 +47,9 @@ void require_extension(const std::filesystem::path& path, const std::string& wha
   const std::string extension = path_text(path.extension());
   if (equals_ignoring_case(extension, wanted)) return;
   throw WriteError(
-      path, extension.empty() ? "the name has no extension" : what + " cannot be written as \"" + extension + "\"",
-      std::string("Choose a name that ends in ") + wanted + ".");
+      path,
+      extension.empty() ? say("the name has no extension") : say("%1 cannot be written as \"%2\"", what, extension),
+      say("Choose a name that ends in %1.", wanted));
 }
 
 }  // namespace
@@ -130,7 +131,7 @@ OutputLosses losses_of(const std::filesystem::path& output, const TriangleSoup& 
 
 nlohmann::ordered_json not_kept_json(const std::vector<NotKept>& list) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const NotKept& entry : list) json.push_back({{"what", entry.what}, {"count", entry.count}});
+  for (const NotKept& entry : list) json.push_back({{"what", entry.what.english()}, {"count", entry.count}});
   return json;
 }
 

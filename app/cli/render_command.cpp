@@ -61,7 +61,8 @@ int run_render(const RenderCommand& command) {
   options.shading = shading_of(command.color, all);
   if (options.shading == Shading::scan || command.color == "auto")
     for (const SurfaceModel* model : all)
-      for (const std::string& problem : scan_colors(*model).problems) std::fprintf(stderr, "%s\n", problem.c_str());
+      for (const Message& problem : scan_colors(*model).problems)
+        std::fprintf(stderr, "%s\n", problem.english().c_str());
   const std::string png =
       models.size() == 1 ? render_surface(models[0], options) : render_before_after(models[0], models[1], options);
   OutputTransaction outputs;

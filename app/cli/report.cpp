@@ -90,9 +90,9 @@ Json verdict_json(const Verdict& verdict) {
   Json findings = Json::array();
   for (const Notice& finding : verdict.findings)
     findings.push_back(
-        {{"code", to_string(finding.code)}, {"arguments", finding.arguments}, {"text", english(finding)}});
+        {{"code", to_string(finding.code)}, {"arguments", finding.arguments}, {"text", message_of(finding).english()}});
   return {{"grade", to_string(verdict.grade)},
-          {"sentence", verdict.sentence()},
+          {"sentence", verdict.message().english()},
           {"findings", findings},
           {"crease_deg", json_number(verdict.crease_deg)},
           {"height", json_number(verdict.height)},
@@ -113,7 +113,7 @@ Json mirror_json(const MirrorFit& fit) {
   return {{"answer", to_string(fit.answer)},
           {"misfit", json_number(fit.misfit)},
           {"quadric", json_number(fit.quadric)},
-          {"text", english(notice_on(fit))},
+          {"text", message_of(notice_on(fit)).english()},
           {"plane",
            {{"point", vector_json(fit.plane.point)},
             {"normal", vector_json(fit.plane.normal)},
@@ -134,9 +134,11 @@ Json loop_json(const HoleResult& result) {
   const PatchResult& patch = result.outcome();
   Json json = loop_json(result.loop);
   json["status"] = to_string(result.status);
-  json["message"] = result.message;
+  json["message"] = result.message.english();
+  json["message_code"] = result.message.code;
   json["method"] = result.method();
-  json["reason"] = result.reason();
+  json["reason"] = result.reason().english();
+  json["reason_code"] = result.reason().code;
   json["attempts"] = patch.attempts;
   json["made_by"] = patch.made_by;
   if (is_filled(result.status)) {
@@ -172,7 +174,8 @@ Json brief_loop_json(const HoleResult& result) {
           {"perimeter", result.loop.perimeter},
           {"kind", to_string(result.loop.kind)},
           {"status", to_string(result.status)},
-          {"message", result.message},
+          {"message", result.message.english()},
+          {"message_code", result.message.code},
           {"method", result.method()},
           {"grade", is_filled(result.status) ? Json(to_string(result.verdict().grade)) : Json()},
           {"expected_deviation", deviation_json(result.deviation())},
@@ -182,9 +185,11 @@ Json brief_loop_json(const HoleResult& result) {
 
 Json patch_json(const PatchResult& result) {
   return {{"status", to_string(result.status)},
-          {"message", result.message},
+          {"message", result.message.english()},
+          {"message_code", result.message.code},
           {"method", method_name(result)},
-          {"reason", result.reason},
+          {"reason", result.reason.english()},
+          {"reason_code", result.reason.code},
           {"free_vertices", result.patch.free_count},
           {"steps", result.steps},
           {"bending", result.bending},
@@ -195,8 +200,8 @@ Json patch_json(const PatchResult& result) {
           {"min_angle_deg", result.validity.min_angle_deg}};
 }
 
-void print_reason(std::FILE* out, const std::string& reason) {
-  if (!reason.empty()) std::fprintf(out, "Not the flow itself: %s.\n", reason.c_str());
+void print_reason(std::FILE* out, const Message& reason) {
+  if (!reason.empty()) std::fprintf(out, "Not the flow itself: %s.\n", reason.english().c_str());
 }
 
 }  // namespace loopmend

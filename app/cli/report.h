@@ -38,6 +38,6 @@ nlohmann::ordered_json brief_loop_json(const HoleResult& result);
 nlohmann::ordered_json patch_json(const PatchResult& result);
 
 /// One line on why something else than the flow was done; nothing where there is no reason.
-void print_reason(std::FILE* out, const std::string& reason);
+void print_reason(std::FILE* out, const Message& reason);
 
 }  // namespace loopmend

@@ -5,9 +5,10 @@
 #include "compare/flow_canvas.h"
 #include "compare/flow_view.h"
 #include "compare/legend_strip.h"
+#include "core/error.h"
 #include "dialogs/picture_dialog.h"
-#include "document/engine_words.h"
 #include "document/file_path.h"
+#include "document/message_words.h"
 #include "panels/banner.h"
 #include "problems/comparison_table.h"
 
@@ -97,7 +98,7 @@ void CompareWindow::ask_numbers() {
   try {
     banner_->show_notice(save_numbers(path));
   } catch (const std::exception& error) {
-    banner_->show_problem(labels::engine_words(error.what()));
+    banner_->show_problem(labels::in_words(message_of(error)));
   }
 }
 

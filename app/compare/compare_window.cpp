@@ -6,8 +6,9 @@
 #include "compare/flow_view.h"
 #include "compare/legend_strip.h"
 #include "compare/picture_clock.h"
-#include "document/engine_words.h"
+#include "core/error.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "panels/banner.h"
 #include "panels/choices.h"
 #include "panels/parts.h"
@@ -441,7 +442,7 @@ void CompareWindow::accept(int flow_run) {
   try {
     banner_->show_notice(task_.accept(*flow_comparison_.start(), *flow_comparison_.flow_run(flow_run)));
   } catch (const std::exception& error) {
-    banner_->show_problem(labels::engine_words(error.what()));
+    banner_->show_problem(labels::in_words(message_of(error)));
   }
 }
 

@@ -2,8 +2,8 @@
 #include "compare/flow_view.h"
 
 #include "compare/flow_canvas.h"
-#include "document/engine_words.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
 #include "problems/comparison_table.h"
@@ -121,8 +121,7 @@ void FlowView::show_flow_run(const ComparedRun& flow_run, const QString& accepti
     in_full += QLatin1Char('\n') + tr("At the seam: angle %1\u00b0 (rms), jump of H %2 (rms)")
                                        .arg(labels::number(seam.angle), labels::number(seam.jump));
   }
-  if (!flow_run.message.empty())
-    in_full += QLatin1Char('\n') + labels::sentence(labels::engine_words(flow_run.message));
+  if (!flow_run.message.empty()) in_full += QLatin1Char('\n') + labels::sentence(labels::in_words(flow_run.message));
   figures_->setText(words_);
   figures_->setToolTip(in_full);
   can_accept_ = !accepting.isEmpty() && flow_run.stage != ComparedRun::Stage::start &&

@@ -112,10 +112,10 @@ bool Document::to_look_at(int loop) const {
   }
 }
 
-std::string Document::message(int loop) const {
+Message Document::message(int loop) const {
   if (const OpenPatch* patch = patch_of(loop)) return patch->state->message;
   const auto it = failures_.find(loop);
-  return it == failures_.end() ? std::string() : it->second;
+  return it == failures_.end() ? Message() : it->second;
 }
 
 bool Document::fillable(int loop) const {
@@ -243,9 +243,9 @@ void Document::set_running(const std::set<int>& ids) {
   Q_EMIT holes_changed();
 }
 
-void Document::add_failures(const std::map<int, std::string>& words_by_loop) {
-  if (words_by_loop.empty()) return;
-  for (const auto& [loop, words] : words_by_loop) failures_[loop] = words;
+void Document::add_failures(const std::map<int, Message>& by_loop) {
+  if (by_loop.empty()) return;
+  for (const auto& [loop, why] : by_loop) failures_[loop] = why;
   Q_EMIT holes_changed();
 }
 

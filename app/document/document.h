@@ -70,8 +70,8 @@ class Document : public QObject {
   const OpenPatch* patch_of(int loop) const;
 
   HoleState state(int loop) const;
-  /// Why it failed, or what else the engine has to say, as it says it (document/engine_words.h); may be empty.
-  std::string message(int loop) const;
+  /// Why it failed, or what else the engine has to say, may be empty.
+  Message message(int loop) const;
   /// On the part of its patch; null where there is no patch, or nothing has judged it.
   const Verdict* verdict(int loop) const;
   /// Mesh units; not known where there is no patch, or no estimate.
@@ -108,7 +108,7 @@ class Document : public QObject {
   void set_timeline(int id, TimelinePtr timeline);
   void set_running(const std::set<int>& ids);
   bool is_running(int patch_id) const { return running_.contains(patch_id); }
-  void add_failures(const std::map<int, std::string>& words_by_loop);
+  void add_failures(const std::map<int, Message>& by_loop);
   void forget_failures(const std::set<int>& loops);
 
  Q_SIGNALS:
@@ -136,7 +136,7 @@ class Document : public QObject {
   std::vector<OpenPatch> patches_;
   std::map<int, std::size_t> patch_by_id_, patch_by_loop_;
   std::set<int> running_;
-  std::map<int, std::string> failures_;
+  std::map<int, Message> failures_;
   std::map<int, std::string> units_;
   OuterRims outer_rims_ = OuterRims::leave;
   int next_id_ = 1;

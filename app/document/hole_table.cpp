@@ -2,8 +2,8 @@
 #include "document/hole_table.h"
 
 #include "document/document.h"
-#include "document/engine_words.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 
 #include <QColor>
 
@@ -186,7 +186,7 @@ QVariant HoleTable::tool_tip(int loop, int column) const {
   if (column == kind) return labels::kind_help(document_.loop(loop).kind);
   if (column == boundary) return boundary_of(loop) ? labels::boundary_help(*boundary_of(loop)) : QString();
   if (column < crease) return {};
-  const QString more = labels::engine_words(document_.message(loop));
+  const QString more = labels::in_words(document_.message(loop));
   const Verdict* verdict = document_.verdict(loop);
   QString help = labels::state_help(document_.state(loop));
   if (verdict && verdict->grade != Grade::good) help += QLatin1Char(' ') + labels::sentence_of(*verdict);

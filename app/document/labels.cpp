@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/labels.h"
-
-#include "document/engine_words.h"
+#include "document/message_words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -344,33 +343,8 @@ QString import_summary(const OpenedScan& scan) {
 }
 
 QString not_kept(const std::vector<NotKept>& list) {
-  // Those that have a name of their own in the file, such as a property, are told as the reader calls them.
-  static const char* const known[] = {QT_TRANSLATE_NOOP("loopmend::labels", "normals"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "face normals"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "texture coordinates"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "texture coordinates of faces"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "face colours"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "vertex colours"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "alpha values"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "vertices without faces"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "materials"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "material libraries"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "objects"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "groups"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "smoothing groups"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "separate solids"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "face attributes"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "names of no face"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "display statements"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "lines"),
-                                      QT_TRANSLATE_NOOP("loopmend::labels", "points")};
   QStringList words;
-  for (const NotKept& entry : list) {
-    const auto word =
-        std::find_if(std::begin(known), std::end(known), [&](const char* name) { return entry.what == name; });
-    const QString what = word != std::end(known) ? tr(*word) : engine_words(entry.what);
-    words << QStringLiteral("%1 (%2)").arg(what, count(entry.count));
-  }
+  for (const NotKept& entry : list) words << QStringLiteral("%1 (%2)").arg(in_words(entry.what), count(entry.count));
   return words.join(QStringLiteral(", "));
 }
 

@@ -38,7 +38,7 @@ struct OpenedScan {
   std::shared_ptr<const SurfaceShape> shape;
   std::vector<std::shared_ptr<const SurfaceShape>> colored;  ///< the parts that it is drawn by in its own colours
   std::shared_ptr<const std::vector<Color>> colors;          ///< per vertex of the view; null: it has none
-  std::vector<std::string> color_problems;                   ///< sentences
+  std::vector<Message> color_problems;                       ///< sentences
   std::uint64_t fingerprint = 0;  ///< of points and triangles: tells whether a file is still the same
 };
 

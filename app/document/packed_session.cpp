@@ -19,8 +19,9 @@ constexpr qint32 version_of_packing = 1;
 constexpr qint64 largest_file = qint64{1} << 30;  // QByteArray of Qt 5 counts in int
 constexpr quint64 most_scans = 100000;
 
-[[noreturn]] void fail(const QString& path, const char* problem) {
-  throw ReadError(file_path(path), problem, "", "Open the scan itself instead; the session file is damaged.");
+[[noreturn]] void fail(const QString& path, Message problem) {
+  throw ReadError(file_path(path), std::move(problem), {},
+                  say("Open the scan itself instead; the session file is damaged."));
 }
 
 void settle(QDataStream& stream) {
@@ -33,20 +34,22 @@ void settle(QDataStream& stream) {
 KeptFilePtr keep_file(const QString& path) {
   const QFileInfo info(path);
   if (info.suffix().compare(QLatin1String("gltf"), Qt::CaseInsensitive) == 0)
-    throw InvalidArgument(info.fileName().toStdString() +
-                          " has its numbers in files beside it: export it as GLB, or save the session without scans");
+    throw InvalidArgument(
+        say("%1 has its numbers in files beside it: export it as GLB, or save the session without scans",
+            info.fileName().toStdString()));
   if (info.size() > largest_file)
-    throw InvalidArgument(info.fileName().toStdString() +
-                          " is larger than 1 GB: save the session without scans, and keep the file beside it");
+    throw InvalidArgument(say("%1 is larger than 1 GB: save the session without scans, and keep the file beside it",
+                              info.fileName().toStdString()));
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
-    throw ReadError(file_path(path), file.errorString().toStdString(), "", "Check the path and its permissions.");
+    throw ReadError(file_path(path), verbatim(file.errorString().toStdString()), {},
+                    say("Check the path and its permissions."));
   return std::make_shared<const KeptFile>(KeptFile{info.fileName(), qCompress(file.readAll())});
 }
 
 QString lay_out(const KeptFile& file, const QString& folder) {
   const QByteArray bytes = qUncompress(file.compressed);
-  if (bytes.isEmpty()) fail(file.name, "the scan in the session cannot be unpacked");
+  if (bytes.isEmpty()) fail(file.name, say("the scan in the session cannot be unpacked"));
   // A name from a file must not lead out of the folder.
   const QString path = QDir(folder).filePath(QFileInfo(file.name).fileName());
   write_file_atomically(file_path(path), [&](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
@@ -77,9 +80,9 @@ UnpackedSession unpack(const QByteArray& bytes, const QString& path) {
   quint64 count = 0;
   in >> version >> count;
   if (version != version_of_packing)
-    throw ReadError(file_path(path), "this session is of another version of Loopmend", "",
-                    "Open it with the version that saved it.");
-  if (count > most_scans) fail(path, "the number of scans is out of range");
+    throw ReadError(file_path(path), say("this session is of another version of Loopmend"), {},
+                    say("Open it with the version that saved it."));
+  if (count > most_scans) fail(path, say("the number of scans is out of range"));
   UnpackedSession unpacked;
   for (quint64 k = 0; k < count && in.status() == QDataStream::Ok; ++k) {
     KeptFile file;
@@ -87,8 +90,8 @@ UnpackedSession unpack(const QByteArray& bytes, const QString& path) {
     unpacked.files.push_back(file.compressed.isEmpty() ? nullptr : std::make_shared<const KeptFile>(std::move(file)));
   }
   in >> unpacked.session;
-  if (in.status() != QDataStream::Ok) fail(path, "the file ends too early");
-  if (!in.atEnd()) fail(path, "there is more in the file than there should be");
+  if (in.status() != QDataStream::Ok) fail(path, say("the file ends too early"));
+  if (!in.atEnd()) fail(path, say("there is more in the file than there should be"));
   return unpacked;
 }
 

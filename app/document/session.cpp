@@ -18,30 +18,18 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 9;
-constexpr qint32 version_without_mirror = 8;
-constexpr qint32 version_without_deviation = 7;
-constexpr qint32 version_without_verdicts = 6;
-constexpr qint32 version_without_relief = 5;  ///< and without units
-constexpr qint32 version_without_bridges = 4;
-constexpr qint32 version_without_boundary = 3;
-constexpr qint32 never_written = 2, first_version = 1;  ///< without the view and without surfaces that were made here
+constexpr qint32 format_version = 10;  ///< no other one is read
 
 using Writer = SessionWriter;
 using Reader = SessionReader;
 
-/// The first number of a seam was a gap that nothing measured: written as 0 and not read, so that the layout stays.
-constexpr double no_gap = 0;
-
 void put(Writer& out, const SeamReport& seam) {
-  for (double x :
-       {no_gap, seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max, seam.h_jump_rms_times_diameter})
+  for (double x : {seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max, seam.h_jump_rms_times_diameter})
     out.put(x);
 }
 
 SeamReport seam(Reader& in) {
   SeamReport s;
-  in.number<double>();
   for (double* x : {&s.g1_rms_deg, &s.g1_max_deg, &s.h_jump_rms, &s.h_jump_max, &s.h_jump_rms_times_diameter})
     *x = in.number<double>();
   return s;
@@ -84,16 +72,16 @@ void check_sizes(const Reader& in, const Patch& patch) {
                      patch.patch_triangles <= static_cast<int>(patch.triangles.size()) &&
                      static_cast<int>(patch.ring.size()) == n && static_cast<int>(patch.view_vertex.size()) == n &&
                      !patch.loops.empty() && patch.loop_numbers.size() == patch.loops.size();
-  if (!sizes) in.fail("the sizes of a patch disagree");
+  if (!sizes) in.fail(say("the sizes of a patch disagree"));
 }
 
 void check_vertices(const Reader& in, const Patch& patch) {
   for (int v = 0; v < patch.vertex_count(); ++v) {
     const auto at = static_cast<std::size_t>(v);
-    if (!patch.positions[at].allFinite()) in.fail("a coordinate is not a finite number");
+    if (!patch.positions[at].allFinite()) in.fail(say("a coordinate is not a finite number"));
     const bool is_free = v < patch.free_count;
     if (is_free != (patch.ring[at] == 0) || patch.ring[at] < 0 || is_free != (patch.view_vertex[at] == -1))
-      in.fail("free and fixed vertices of a patch are mixed up");
+      in.fail(say("free and fixed vertices of a patch are mixed up"));
   }
 }
 
@@ -103,19 +91,21 @@ void check_triangles(const Reader& in, const Patch& patch) {
   for (const Triangle& t : patch.triangles)
     for (int k = 0; k < 3; ++k) {
       const int from = t[k], to = t[(k + 1) % 3];
-      if (from < 0 || from >= n) in.fail("a triangle names a vertex that does not exist");
-      if (from == to) in.fail("a triangle names a vertex twice");
+      if (from < 0 || from >= n) in.fail(say("a triangle names a vertex that does not exist"));
+      if (from == to) in.fail(say("a triangle names a vertex twice"));
       edges.emplace_back(from, to);
     }
   std::sort(edges.begin(), edges.end());
-  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) in.fail("the triangles of a patch do not fit");
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end())
+    in.fail(say("the triangles of a patch do not fit"));
 }
 
 void check_loops(const Reader& in, const Patch& patch) {
   for (const auto& loop : patch.loops) {
-    if (loop.empty() || !in_range(loop, 0, patch.vertex_count())) in.fail("a loop names a vertex that does not exist");
+    if (loop.empty() || !in_range(loop, 0, patch.vertex_count()))
+      in.fail(say("a loop names a vertex that does not exist"));
     for (int v : loop)
-      if (patch.ring[static_cast<std::size_t>(v)] != 1) in.fail("a loop is not the boundary of its patch");
+      if (patch.ring[static_cast<std::size_t>(v)] != 1) in.fail(say("a loop is not the boundary of its patch"));
   }
 }
 
@@ -125,7 +115,7 @@ void check(const Reader& in, const Patch& patch) {
   check_triangles(in, patch);
   check_loops(in, patch);
   if (!(patch.scale > 0) || !std::isfinite(patch.scale) || !patch.center.allFinite())
-    in.fail("the frame of a patch is not known");
+    in.fail(say("the frame of a patch is not known"));
 }
 
 Patch patch(Reader& in) {
@@ -148,7 +138,7 @@ Patch patch(Reader& in) {
 template <class E>
 E word(Reader& in, E last) {
   const auto value = in.number<qint32>();
-  if (value < 0 || value > static_cast<qint32>(last)) in.fail("a word is not known");
+  if (value < 0 || value > static_cast<qint32>(last)) in.fail(say("a word is not known"));
   return static_cast<E>(value);
 }
 
@@ -173,8 +163,8 @@ void put(Writer& out, const PatchRecipe& recipe) {
 PatchRecipe recipe(Reader& in) {
   PatchRecipe r;
   r.density = in.number<double>();
-  if (!(r.density > 0) || !std::isfinite(r.density)) in.fail("a density is out of range");
-  if (in.version > version_without_bridges) r.start = word(in, PatchRecipe::Start::bridge);
+  if (!(r.density > 0) || !std::isfinite(r.density)) in.fail(say("a density is out of range"));
+  r.start = word(in, PatchRecipe::Start::bridge);
   for (int runs = in.count(sizeof(double)); runs > 0; --runs) {
     RunRecipe run;
     run.flow = word(in, FlowKind::mmcvf);
@@ -182,16 +172,12 @@ PatchRecipe recipe(Reader& in) {
     run.sigma = in.number<double>();
     run.steps = in.number<qint32>();
     run.end = word(in, RunRecipe::End::unnamed);
-    if (in.version > version_without_boundary) {
-      run.boundary = word(in, BoundaryTrust::robust);
-      run.continuity = word(in, SeamContinuity::curvature);
-    }
-    if (in.version > version_without_relief) {
-      run.relief.kind = word(in, ReliefChoice::Kind::continued);
-      run.relief.seed = in.number<quint64>();
-    }
-    if (in.version > version_without_deviation) run.edges = word(in, SharpEdges::rounded);
-    if (in.version > version_without_mirror) run.mirror = word(in, RunRecipe::Mirror::found);
+    run.boundary = word(in, BoundaryTrust::robust);
+    run.continuity = word(in, SeamContinuity::curvature);
+    run.relief.kind = word(in, ReliefChoice::Kind::continued);
+    run.relief.seed = in.number<quint64>();
+    run.edges = word(in, SharpEdges::rounded);
+    run.mirror = word(in, RunRecipe::Mirror::found);
     r.runs.push_back(run);
   }
   return r;
@@ -209,10 +195,28 @@ StepRecord step(Reader& in) {
   return s;
 }
 
+void put(Writer& out, const Message& message) {
+  for (const std::string* text : {&message.text, &message.code}) out.put(QString::fromStdString(*text));
+  out.put(static_cast<qint32>(message.is_verbatim));
+  out.put(static_cast<quint64>(message.arguments.size()));
+  for (const Message& argument : message.arguments) put(out, argument);
+}
+
+/// @param depth  of arguments within arguments that may still come: a damaged file must not exhaust the stack
+Message message(Reader& in, int depth = 16) {
+  if (depth == 0) in.fail(say("a message is nested too deep"));
+  Message m;
+  for (std::string* text : {&m.text, &m.code}) *text = in.text().toStdString();
+  m.is_verbatim = in.number<qint32>() != 0;
+  for (int arguments = in.count(sizeof(qint32)); arguments > 0; --arguments)
+    m.arguments.push_back(message(in, depth - 1));
+  return m;
+}
+
 void put(Writer& out, const PatchState& state) {
   put(out, state.patch);
   out.put(static_cast<qint32>(state.status));
-  out.put(QString::fromStdString(state.message));
+  put(out, state.message);
   put(out, state.recipe);
   out.put(static_cast<qint32>(state.flow));
   out.put(static_cast<qint32>(state.steps));
@@ -251,10 +255,7 @@ PatchStatePtr state(Reader& in) {
   auto s = std::make_shared<PatchState>();
   s->patch = patch(in);
   s->status = word(in, PatchStatus::step_limit);
-  // Number 6 was a verdict then.
-  if (in.version <= version_without_verdicts && s->status == PatchStatus::early_stop)
-    s->status = PatchStatus::converged;
-  s->message = in.text().toStdString();
+  s->message = message(in);
   s->recipe = recipe(in);
   s->patch.grading.density = s->recipe.density;
   s->flow = word(in, FlowKind::mmcvf);
@@ -263,23 +264,17 @@ PatchStatePtr state(Reader& in) {
   s->energy = {in.number<double>(), s->last_step.energy};
   s->seconds.total = in.number<double>();
   for (auto* reports : {&s->seams_before, &s->seams}) {
-    const int count = in.count(6 * sizeof(double));
+    const int count = in.count(5 * sizeof(double));
     for (int i = 0; i < count; ++i) reports->push_back(seam(in));
   }
   if (s->seams.size() != s->patch.loops.size() || s->seams_before.size() != s->seams.size())
-    in.fail("the seams of a patch are not complete");
-  if (in.version > version_without_verdicts) {
-    const int count = in.count(3 * sizeof(double));
-    for (int i = 0; i < count; ++i) s->verdicts.push_back(verdict(in));
-    if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
-      in.fail("the verdicts of a patch are not complete");
-  }
-  if (in.version > version_without_deviation) {
-    const int count = in.count(4 * sizeof(double));
-    for (int i = 0; i < count; ++i) {
-      ExpectedDeviation& e = s->deviation.loops.emplace_back();
-      for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
-    }
+    in.fail(say("the seams of a patch are not complete"));
+  for (int verdicts = in.count(3 * sizeof(double)); verdicts > 0; --verdicts) s->verdicts.push_back(verdict(in));
+  if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
+    in.fail(say("the verdicts of a patch are not complete"));
+  for (int loops = in.count(4 * sizeof(double)); loops > 0; --loops) {
+    ExpectedDeviation& e = s->deviation.loops.emplace_back();
+    for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
   }
   return s;
 }
@@ -296,7 +291,7 @@ ColorRange color_range(Reader& in) {
   range.percent = in.number<double>();
   range.half_width = in.number<double>();
   if (!(range.percent >= 50 && range.percent <= 100 && range.half_width > 0))
-    in.fail("a range of colours is not known");
+    in.fail(say("a range of colours is not known"));
   return range;
 }
 
@@ -315,9 +310,9 @@ SessionView session_view(Reader& in) {
   SessionView view;
   for (Vec3* v : {&view.from.focus, &view.from.eye, &view.from.up}) {
     *v = in.vector();
-    if (!v->allFinite()) in.fail("a coordinate is not a finite number");
+    if (!v->allFinite()) in.fail(say("a coordinate is not a finite number"));
   }
-  if (view.from.focus == view.from.eye || !(view.from.up.norm() > 0)) in.fail("the view is from nowhere");
+  if (view.from.focus == view.from.eye || !(view.from.up.norm() > 0)) in.fail(say("the view is from nowhere"));
   view.look.shading = word(in, Shading::scan);
   view.look.edges = word(in, Edges::shown);
   view.look.seams = word(in, Seams::shown);
@@ -325,7 +320,7 @@ SessionView session_view(Reader& in) {
   view.look.H = color_range(in);
   view.look.K = color_range(in);
   view.look.stripes = in.number<qint32>();
-  if (view.look.stripes < 3 || view.look.stripes > 40) in.fail("the number of stripes is out of range");
+  if (view.look.stripes < 3 || view.look.stripes > 40) in.fail(say("the number of stripes is out of range"));
   return view;
 }
 
@@ -337,10 +332,10 @@ std::shared_ptr<const TriangleSoup> made_surface(Reader& in) {
   const int n = static_cast<int>(soup->points.size());
   for (const Triangle& t : soup->triangles)
     for (int v : t)
-      if (v < 0 || v >= n) in.fail("a triangle names a vertex that does not exist");
+      if (v < 0 || v >= n) in.fail(say("a triangle names a vertex that does not exist"));
   for (const Vec3& p : soup->points)
-    if (!p.allFinite()) in.fail("a coordinate is not a finite number");
-  if (!soup->colors.empty() && soup->colors.size() != soup->points.size()) in.fail("the colours are not complete");
+    if (!p.allFinite()) in.fail(say("a coordinate is not a finite number"));
+  if (!soup->colors.empty() && soup->colors.size() != soup->points.size()) in.fail(say("the colours are not complete"));
   return soup;
 }
 
@@ -410,36 +405,33 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 
 namespace {
 
-bool is_known(qint32 version) {
-  return version >= first_version && version <= format_version && version != never_written;
-}
-
 SessionPatch session_patch(Reader& in, int scans) {
   SessionPatch entry;
   entry.scan = in.number<qint32>();
-  if (entry.scan < 0 || entry.scan >= scans) in.fail("a patch belongs to no scan");
+  if (entry.scan < 0 || entry.scan >= scans) in.fail(say("a patch belongs to no scan"));
   entry.loop_numbers = in.array<int>();
   entry.acceptance = word(in, Acceptance::accepted);
   entry.state = state(in);
-  if (entry.loop_numbers.size() != entry.state->patch.loops.size()) in.fail("the loops of a patch are not complete");
+  if (entry.loop_numbers.size() != entry.state->patch.loops.size())
+    in.fail(say("the loops of a patch are not complete"));
   return entry;
 }
 
 Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   constexpr int magic_size = sizeof magic - 1;
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
-    throw ReadError(file_path(path), "this is not a session of Loopmend", "", "Choose a file that Loopmend saved.");
+    throw ReadError(file_path(path), say("this is not a session of Loopmend"), {},
+                    say("Choose a file that Loopmend saved."));
   Reader in(bytes.mid(magic_size), path);
-  const auto version = in.version = in.number<qint32>();
-  if (!is_known(version))
-    throw ReadError(file_path(path), "this session is of another version of Loopmend", "",
-                    "Open it with the version that saved it.");
+  if (in.number<qint32>() != format_version)
+    throw ReadError(file_path(path), say("this session is of another version of Loopmend"), {},
+                    say("Open it with the version that saved it."));
   Session session;
   const int scans = in.count(sizeof(quint64));
   for (int i = 0; i < scans; ++i) {
     const QString absolute = in.text(), relative = in.text();
     SessionScan entry{found(absolute, relative, path), in.number<quint64>(), {}, nullptr, {}, nullptr};
-    if (version != first_version && in.number<qint32>() != 0) {
+    if (in.number<qint32>() != 0) {
       entry.name = in.text();
       entry.made = made_surface(in);
     }
@@ -447,13 +439,12 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   }
   const int patches = in.count(sizeof(quint64));
   for (int i = 0; i < patches; ++i) session.patches.push_back(session_patch(in, scans));
-  if (version != first_version && in.number<qint32>() != 0) session.view = session_view(in);
-  if (version > version_without_relief)
-    for (SessionScan& scan : session.scans) {
-      scan.unit = in.text().toStdString();
-      if (!scan.unit.empty() && !is_length_unit(scan.unit)) in.fail("a unit of length is not known");
-    }
-  if (!in.at_end()) in.fail("there is more in the file than there should be");
+  if (in.number<qint32>() != 0) session.view = session_view(in);
+  for (SessionScan& scan : session.scans) {
+    scan.unit = in.text().toStdString();
+    if (!scan.unit.empty() && !is_length_unit(scan.unit)) in.fail(say("a unit of length is not known"));
+  }
+  if (!in.at_end()) in.fail(say("there is more in the file than there should be"));
   return session;
 }
 
@@ -462,7 +453,8 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
 Session session_from_file(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
-    throw ReadError(file_path(path), file.errorString().toStdString(), "", "Check the path and its permissions.");
+    throw ReadError(file_path(path), verbatim(file.errorString().toStdString()), {},
+                    say("Check the path and its permissions."));
   const QByteArray bytes = file.readAll();
   if (!is_packed(bytes)) return session_from_bytes(bytes, path);
   const UnpackedSession unpacked = unpack(bytes, path);

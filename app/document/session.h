@@ -45,7 +45,7 @@ using ViewSource = std::function<SessionView()>;
 struct Session {
   std::vector<SessionScan> scans;
   std::vector<SessionPatch> patches;
-  std::optional<SessionView> view;  ///< empty in files of version 1
+  std::optional<SessionView> view;
 };
 
 /// Whether the files of scans become a part of the session, so that it needs nothing beside it.

@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -56,13 +57,11 @@ class SessionWriter {
 
 class SessionReader {
  public:
-  qint32 version = 0;  ///< of the format
-
   SessionReader(const QByteArray& bytes, const QString& path) : in_(bytes), path_(path) { SessionWriter::settle(in_); }
 
-  [[noreturn]] void fail(const char* problem) const {
-    throw ReadError(file_path(path_), problem, "byte " + std::to_string(in_.device()->pos()),
-                    "Open the scan itself instead; the session file is damaged.");
+  [[noreturn]] void fail(Message problem) const {
+    throw ReadError(file_path(path_), std::move(problem), say("byte %1", in_.device()->pos()),
+                    say("Open the scan itself instead; the session file is damaged."));
   }
   template <class T>
   T number() {
@@ -80,7 +79,7 @@ class SessionReader {
   template <class T>
   std::vector<T> array() {
     const auto count = number<quint64>();
-    if (count > static_cast<quint64>(in_.device()->bytesAvailable()) / sizeof(T)) fail("the file ends too early");
+    if (count > static_cast<quint64>(in_.device()->bytesAvailable()) / sizeof(T)) fail(say("the file ends too early"));
     std::vector<T> values(static_cast<std::size_t>(count));
     in_.readRawData(reinterpret_cast<char*>(values.data()), static_cast<int>(count * sizeof(T)));
     check();
@@ -89,14 +88,14 @@ class SessionReader {
   /// A count of things that take at least `bytes_each`.
   int count(quint64 bytes_each) {
     const auto n = number<quint64>();
-    if (n > static_cast<quint64>(in_.device()->bytesAvailable()) / bytes_each) fail("the file ends too early");
+    if (n > static_cast<quint64>(in_.device()->bytesAvailable()) / bytes_each) fail(say("the file ends too early"));
     return static_cast<int>(n);
   }
   bool at_end() const { return in_.atEnd(); }
 
  private:
   void check() const {
-    if (in_.status() != QDataStream::Ok) fail("the file ends too early");
+    if (in_.status() != QDataStream::Ok) fail(say("the file ends too early"));
   }
   QDataStream in_;
   QString path_;

@@ -40,7 +40,7 @@ class CandidateController : public QObject {
   /// Which of them the document holds: an index; −1: none.
   int in_place() const;
   /// Why there are none of these kinds, in the engine's words; none that the engine merely passed over.
-  const std::map<CandidateKind, std::string>& refused() const { return refused_; }
+  const std::map<CandidateKind, Message>& refused() const { return refused_; }
   /// The surface around the holes, for small pictures; null until the first candidate is ready.
   const std::shared_ptr<const SurfaceShape>& neighborhood() const { return neighborhood_; }
 
@@ -68,7 +68,7 @@ class CandidateController : public QObject {
   int done_ = 0, total_ = 0;
   std::set<int> loops_;
   std::vector<Candidate> candidates_;
-  std::map<CandidateKind, std::string> refused_;
+  std::map<CandidateKind, Message> refused_;
   std::shared_ptr<const SurfaceShape> neighborhood_;
   std::map<const SurfaceModel*, std::shared_ptr<MirrorPlanes>> mirror_planes_;
 };

@@ -144,12 +144,12 @@ Candidate make_candidate(const CandidateTask& task, CandidateKind kind, const Ca
     for (const auto& result : group.patches) {
       if (!is_filled(result->status)) candidate.why_not = result->message;
       if (kind == CandidateKind::mirror && result->method != Method::mirror_image)
-        candidate.why_not = english(notice_on(result->mirror));
+        candidate.why_not = message_of(notice_on(result->mirror));
     }
     if (!candidate.why_not.empty()) return candidate;
     for (const auto& result : group.patches) candidate.patches.push_back(open_patch(task, *result, run));
   } catch (const std::exception& error) {
-    candidate.why_not = error.what();
+    candidate.why_not = message_of(error);
   }
   return candidate;
 }

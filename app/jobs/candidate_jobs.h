@@ -48,7 +48,7 @@ struct CandidateTask {
 struct Candidate {
   CandidateKind kind = CandidateKind::as_it_is;
   std::vector<OpenPatch> patches;  ///< together they close the holes; ids are not set. Empty: there is no such patch
-  std::string why_not;             ///< in the engine's words, where there is none
+  Message why_not;                 ///< where there is none
 };
 
 /// What the recipe leads to, where it is one of the kinds.

@@ -67,7 +67,7 @@ ChangedSurface without_faces_at(const TriangleSoup& soup, const std::vector<int>
     result.changes += gone;
     if (!gone) kept_faces.push_back(static_cast<int>(f));
   }
-  if (kept_faces.empty()) throw InvalidArgument("this would leave no triangle of the surface");
+  if (kept_faces.empty()) throw InvalidArgument(say("this would leave no triangle of the surface"));
   result.new_points.assign(soup.points.size(), -1);
   for (std::size_t p = 0; p < soup.points.size(); ++p) {
     if (orphan[p] && !used[p]) continue;

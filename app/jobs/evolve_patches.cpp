@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/evolve_patches.h"
 
+#include "core/error.h"
 #include "core/system_memory.h"
 #include "core/threads.h"
 #include "document/timeline.h"
@@ -20,8 +21,6 @@ namespace loopmend {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr const char* no_free_vertex = "too small to hold a free vertex: closed by triangles between its own vertices";
 
 bool same(const EvolutionOptions& a, const EvolutionOptions& b) {
   return a.flow == b.flow && a.mode == b.mode && a.sigma == b.sigma && a.solver == b.solver && a.bending == b.bending &&
@@ -146,7 +145,7 @@ class Drive {
   bool rigid(const EvolveTask::Item& item) {
     if (item.patch.state->patch.free_count > 0) return false;
     auto same_state = std::make_shared<PatchState>(*item.patch.state);
-    same_state->message = no_free_vertex;
+    same_state->message = say("too small to hold a free vertex: closed by triangles between its own vertices");
     recorder_.record(item.patch.id, same_state);
     return true;
   }
@@ -155,15 +154,15 @@ class Drive {
   bool too_large(const EvolveTask::Item& item) {
     const double needed = memory_mb_of(item.patch.state->patch.free_count);
     if (needed <= memory_left_mb({})) return false;
-    const QString why = QCoreApplication::translate(
-        "loopmend", "the flow would take about %L1 MB of memory, more than is free; a smaller density needs less");
-    fail(item.patch.id, why.arg(std::lround(needed)).toStdString().c_str());
+    fail(item.patch.id,
+         say("the flow would take about %1 MB of memory, more than is free; a smaller Density needs less",
+             std::lround(needed)));
     return true;
   }
 
-  void fail(int id, const char* words) {
+  void fail(int id, const Message& why) {
     const std::lock_guard lock(mutex_);
-    result_.failures[id] = words;
+    result_.failures[id] = why;
   }
 
   /// The same item, or, where its holes ask for different treatment, an item for each part; what is known of them with them.
@@ -216,7 +215,7 @@ class Drive {
       const std::lock_guard lock(mutex_);
       if (!parts.empty()) result_.splits[item.patch.id] = std::move(parts);
     } catch (const std::exception& error) {
-      fail(item.patch.id, error.what());
+      fail(item.patch.id, message_of(error));
     }
   }
 
@@ -229,7 +228,7 @@ class Drive {
       try {
         steppers.emplace_back(item.patch.id, Stepper(task_, item, recorder_));
       } catch (const std::exception& error) {
-        fail(item.patch.id, error.what());
+        fail(item.patch.id, message_of(error));
       }
     }
     const auto moving = [&] {

@@ -48,7 +48,7 @@ struct EvolveTask {
 
 struct EvolveResult {
   std::map<int, EvolutionSession> sessions;  ///< by patch id
-  std::map<int, std::string> failures;       ///< by patch id: it could not even start
+  std::map<int, Message> failures;           ///< by patch id: it could not even start
   /// By patch id: holes that could only be solved each by itself, as patches of their own (ids not set).
   std::map<int, std::vector<OpenPatch>> splits;
 };

@@ -29,9 +29,9 @@ struct ExportTask {
 struct ExportResult {
   std::size_t triangles = 0;
   std::vector<NotKept> not_kept;
-  double largest_rounding = 0;       ///< mesh units
-  std::vector<std::string> remarks;  ///< of what is beside the mesh: sentences
-  std::set<int> left_open;           ///< loops of the document whose patches intersect the surface or one another
+  double largest_rounding = 0;   ///< mesh units
+  std::vector<Message> remarks;  ///< of what is beside the mesh: sentences
+  std::set<int> left_open;       ///< loops of the document whose patches intersect the surface or one another
 };
 
 /// The scene as it is. Patches that are `invalid` come along only where a person has accepted them; one that intersects

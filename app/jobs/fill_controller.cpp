@@ -3,8 +3,8 @@
 
 #include "analysis/curvature_field.h"
 #include "core/error.h"
-#include "document/engine_words.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "document/run_curves.h"
 #include "document/timeline.h"
 #include "jobs/state_making.h"
@@ -208,12 +208,12 @@ void FillController::on_filled(FillResult result, const std::set<int>& wanted, c
 void FillController::say_fill_outcome(const FillResult& result, const std::set<int>& wanted) {
   constexpr std::size_t most_lines = 20;
   std::size_t lines = 0;
-  for (const auto& [loop, words] : result.remarks)
+  for (const auto& [loop, remark] : result.remarks)
     if (lines++ < most_lines)
-      Q_EMIT logged(tr("Hole %1: %2").arg(labels::hole_name(document_, loop), labels::engine_words(words)));
-  for (const auto& [loop, words] : result.failures)
+      Q_EMIT logged(tr("Hole %1: %2").arg(labels::hole_name(document_, loop), labels::in_words(remark)));
+  for (const auto& [loop, why] : result.failures)
     if (lines++ < 2 * most_lines)
-      Q_EMIT logged(tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), labels::engine_words(words)));
+      Q_EMIT logged(tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), labels::in_words(why)));
   if (!result.failures.empty())
     Q_EMIT failed(tr("%L1 of %L2 holes could not be filled. The State column says why, and what may help.")
                       .arg(result.failures.size())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The controller's dealings with files: scans, sessions, exports.
-#include "document/engine_words.h"
 #include "document/file_path.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "document/timeline.h"
 #include "jobs/fill_controller.h"
 #include "jobs/state_making.h"
@@ -49,9 +49,9 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
             on_opened(scan, next);
             Q_EMIT logged(labels::import_summary(*scan) +
                           tr(" Opened in %1 s.").arg(labels::seconds(clock_.elapsed())));
-            for (const std::string& problem : scan->color_problems) Q_EMIT logged(labels::engine_words(problem));
+            for (const Message& problem : scan->color_problems) Q_EMIT logged(labels::in_words(problem));
             if (!scan->color_problems.empty())
-              Q_EMIT notice(scan->name + QStringLiteral(": ") + labels::engine_words(scan->color_problems.front()));
+              Q_EMIT notice(scan->name + QStringLiteral(": ") + labels::in_words(scan->color_problems.front()));
             if (scan->loops.empty()) Q_EMIT notice(tr("%1 is closed: it has no hole to fill.").arg(scan->name));
           });
         };
@@ -63,7 +63,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         stages.stage(tr("Computing curvature"));
         add_curvature(scan, job);
       } catch (const std::exception& error) {  // the other files are opened all the same
-        job->post([report, words = labels::engine_words(error.what())] { report(words); });
+        job->post([report, words = labels::in_words(message_of(error))] { report(words); });
       }
     }
     job->post([this] { end(); });
@@ -149,7 +149,7 @@ OpenedScanPtr load_kept(const SessionScan& wanted, const std::optional<Vec3>& or
   if (!wanted.file) return load_scan(wanted.path, origin, {}, cancel);
   const QTemporaryDir folder;
   if (!folder.isValid())
-    throw WriteError(file_path(folder.path()), "cannot be written", "Make room for temporary files.");
+    throw WriteError(file_path(folder.path()), say("cannot be written"), say("Make room for temporary files."));
   const OpenedScanPtr scan = load_scan(lay_out(*wanted.file, folder.path()), origin, {}, cancel);
   if (!scan) return scan;
   scan->path = wanted.path;
@@ -173,8 +173,9 @@ QString find_scans(std::vector<SessionScan>& scans, const SessionFile& file) {
   return {};
 }
 
-[[noreturn]] void refuse_damaged(const QString& path, const char* what) {
-  throw ReadError(file_path(path), what, "", "Open the scan itself instead; the session file is damaged.");
+[[noreturn]] void refuse_damaged(const QString& path, Message what) {
+  throw ReadError(file_path(path), std::move(what), {},
+                  say("Open the scan itself instead; the session file is damaged."));
 }
 
 /// With its loops and its surface as they belong to the scan. @param path  of the session, for errors.
@@ -184,14 +185,14 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
   for (int number : saved.loop_numbers) {
     const auto found =
         std::find_if(scan.loops.begin(), scan.loops.end(), [&](const auto& loop) { return loop.number == number; });
-    if (found == scan.loops.end()) refuse_damaged(path, "a patch belongs to a hole that does not exist");
+    if (found == scan.loops.end()) refuse_damaged(path, say("a patch belongs to a hole that does not exist"));
     patch.loops.push_back(static_cast<int>(found - scan.loops.begin()));
   }
   auto state = std::make_shared<PatchState>(*saved.state);
   const auto vertices = static_cast<int>(scan.model->soup_vertex.size());
   for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
     if (const int own = state->patch.view_vertex[static_cast<std::size_t>(v)]; own < 0 || own >= vertices)
-      refuse_damaged(path, "a patch names a vertex that its scan does not have");
+      refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
   state->shape =
       std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), origin, scan.colors));
   state->boundary = boundary_knowledge(state->patch);
@@ -230,8 +231,8 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
     const OpenedScanPtr scan = load_kept(wanted, origin, job->token());
     if (!scan) return {};
     if (scan->fingerprint != wanted.fingerprint)
-      throw ReadError(file_path(wanted.path), "this file has changed since the session was saved", "",
-                      "Put the old file back to restore the session, or open the new one by itself.");
+      throw ReadError(file_path(wanted.path), say("this file has changed since the session was saved"), {},
+                      say("Put the old file back to restore the session, or open the new one by itself."));
     origin = origin.value_or(scan->origin);
     restored.scans.push_back(scan);
   }
@@ -277,7 +278,7 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
       index.push_back(document_.add_scan(scan));
     }
     mode = OpenMode::add;
-    for (const std::string& problem : scan->color_problems) Q_EMIT logged(labels::engine_words(problem));
+    for (const Message& problem : scan->color_problems) Q_EMIT logged(labels::in_words(problem));
   }
   for (OpenPatch& patch : restored.patches) {
     patch.scan = index[static_cast<std::size_t>(patch.scan)];
@@ -365,7 +366,7 @@ void FillController::on_exported(const ExportResult& result, const QString& path
   if (!result.left_open.empty())
     text += tr(" Left open, because the patch cuts the surface or another patch: %1.")
                 .arg(labels::holes(document_, result.left_open));
-  for (const std::string& remark : result.remarks) text += QLatin1Char(' ') + labels::engine_words(remark);
+  for (const Message& remark : result.remarks) text += QLatin1Char(' ') + labels::in_words(remark);
   Q_EMIT logged(text);
   Q_EMIT notice(text);
 }

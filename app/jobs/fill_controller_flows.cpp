@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The controller's runs of flows.
 #include "core/error.h"
-#include "document/engine_words.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "document/run_curves.h"
 #include "document/timeline.h"
 #include "jobs/fill_controller.h"
@@ -129,7 +129,7 @@ void FillController::on_evolved(const EvolveResult& result, RunEnd how) {
   if (job_ && job_->asked_to_pause()) how = RunEnd::stopped;
   end();
   Q_EMIT flow_ended(how);
-  for (const auto& [id, words] : result.failures) report_failure(labels::engine_words(words));
+  for (const auto& [id, why] : result.failures) report_failure(labels::in_words(why));
 }
 
 QString FillController::run_words(const OpenPatch& before, const OpenPatch& now) const {
@@ -142,7 +142,7 @@ QString FillController::run_words(const OpenPatch& before, const OpenPatch& now)
     line += (run.split ? tr(", J %1 \u2192 %2") : tr(", energy %1 \u2192 %2"))
                 .arg(labels::number(run.lowered.front()), labels::number(run.lowered.back()));
   line += tr(", %1 s.").arg(labels::seconds(std::llround(1000 * state.seconds.total)));
-  if (!state.message.empty()) line += QLatin1Char(' ') + labels::sentence(labels::engine_words(state.message));
+  if (!state.message.empty()) line += QLatin1Char(' ') + labels::sentence(labels::in_words(state.message));
   return line;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the controller does to scans themselves: each change makes another scan, which comes in the place of the old one.
 #include "core/error.h"
-#include "document/engine_words.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "jobs/fill_controller.h"
 #include "jobs/mend_scan.h"
 
@@ -81,7 +81,7 @@ void FillController::run_mending(Mending what, std::vector<MendingTask> tasks,
           } catch (const Error& error) {  // one scan does not take the others with it
             MendedScan failed;
             failed.scan = task.scan;
-            failed.words = labels::engine_words(error.what());
+            failed.words = labels::in_words(error.message());
             all.push_back(std::move(failed));
           }
         }

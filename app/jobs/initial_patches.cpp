@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/initial_patches.h"
 
+#include "core/error.h"
 #include "core/threads.h"
 #include "document/timeline.h"
 #include "filling/bridge_loops.h"
@@ -67,8 +68,7 @@ std::vector<Group> groups_of(const FillTask& task) {
 }
 
 /// The patch that the group sets out from, as a document holds it.
-void add_patch(const Group& group, std::vector<int> loops, Patch patch, const std::string& message,
-               FillResult& result) {
+void add_patch(const Group& group, std::vector<int> loops, Patch patch, const Message& message, FillResult& result) {
   const FillTask& task = *group.task;
   OpenPatch open;
   open.scan = task.scan;
@@ -89,10 +89,11 @@ void fill(const Group& group, const CancelToken& cancel, FillResult& result) {
   bool anything_new = false;
   for (std::size_t k = 0; k < group.indices.size(); ++k) {
     const int index = group.indices[k];
-    const std::string& message = initial.outcomes[k].message;
+    const Message& message = initial.outcomes[k].message;
     const bool wanted = task.wanted.contains(index);
     if (!initial.outcomes[k].patch) {
-      if (wanted) result.failures[index] = message.empty() ? "No valid triangulation of this loop was found." : message;
+      if (wanted)
+        result.failures[index] = message.empty() ? say("no valid triangulation of this loop was found") : message;
       continue;
     }
     filled.push_back(index);
@@ -112,7 +113,7 @@ void bridge(const Group& group, const CancelToken& cancel, FillResult& result) {
   try {
     outcome = bridge_loops(model, group.loops, group.task->options.initial, cancel);
   } catch (const std::exception& error) {
-    outcome.message = error.what();
+    outcome.message = message_of(error);
   }
   if (cancel.cancelled()) return;
   if (!outcome.bridge) {
@@ -129,11 +130,11 @@ void refuse(FillTask& task, const CancelToken& cancel, FillResult& result) {
   std::erase_if(task.wanted, [&](const auto& entry) {
     const auto& [index, loop] = entry;
     if (cancel.cancelled() || loop.kind == LoopKind::cut) return false;
-    std::string why;
+    Message why;
     try {
       why = why_no_patch_exists(task.scan_context->index(), loop);
     } catch (const std::exception& error) {
-      why = error.what();
+      why = message_of(error);
     }
     if (!why.empty()) result.failures[index] = why;
     return !why.empty();
@@ -141,7 +142,7 @@ void refuse(FillTask& task, const CancelToken& cancel, FillResult& result) {
 }
 
 /// What goes wrong in one group leaves the others alone.
-FillResult failed(const Group& group, const char* why) {
+FillResult failed(const Group& group, const Message& why) {
   FillResult result;
   for (int index : group.indices)
     if (group.task->wanted.contains(index)) result.failures[index] = why;
@@ -169,9 +170,9 @@ FillResult make_initial_patches(const std::vector<FillTask>& tasks, const std::f
     try {
       group.start == PatchRecipe::Start::bridge ? bridge(group, cancel, one) : fill(group, cancel, one);
     } catch (const std::bad_alloc&) {
-      one = failed(group, no_memory_message);
+      one = failed(group, no_memory_message());
     } catch (const std::exception& error) {
-      one = failed(group, error.what());
+      one = failed(group, message_of(error));
     }
     const std::lock_guard lock(mutex);
     std::move(one.patches.begin(), one.patches.end(), std::back_inserter(result.patches));

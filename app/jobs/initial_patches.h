@@ -27,9 +27,9 @@ struct FillTask {
 };
 
 struct FillResult {
-  std::vector<OpenPatch> patches;       ///< ids are not set
-  std::map<int, std::string> failures;  ///< by index in the document, in words
-  std::map<int, std::string> remarks;   ///< filled, but with something left to wish
+  std::vector<OpenPatch> patches;   ///< ids are not set
+  std::map<int, Message> failures;  ///< by index in the document
+  std::map<int, Message> remarks;   ///< filled, but with something left to wish
 };
 
 /// Each patch is validated against its scan.

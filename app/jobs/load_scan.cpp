@@ -42,7 +42,7 @@ std::shared_ptr<const SurfaceShape> first_picture(const TriangleSoup& soup, Open
 }
 
 template <class... T>
-void say(const std::function<void(T...)>& to, const std::type_identity_t<T>&... what) {
+void tell(const std::function<void(T...)>& to, const std::type_identity_t<T>&... what) {
   if (to) to(what...);
 }
 
@@ -61,7 +61,7 @@ void add_colors(OpenedScan& scan, const CancelToken& cancel) {
 
 OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const LoadStages& stages,
                         const CancelToken& cancel) {
-  say(stages.stage, tr("Reading the file"));
+  tell(stages.stage, tr("Reading the file"));
   ImportedMesh imported = read(path);
   if (cancel.cancelled()) return nullptr;
 
@@ -74,7 +74,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   if (stages.picture) stages.picture(first_picture(imported.soup, *scan));
   if (cancel.cancelled()) return nullptr;
 
-  say(stages.stage, tr("Looking for holes"));
+  tell(stages.stage, tr("Looking for holes"));
   scan->fingerprint = fingerprint_of(imported.soup);
   scan->model = make_shared_surface_model(std::move(imported.soup), std::move(imported.survey));
   if (cancel.cancelled()) return nullptr;
@@ -90,7 +90,7 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   if (cancel.cancelled()) return nullptr;
   add_colors(*scan, cancel);
   if (cancel.cancelled()) return nullptr;
-  say(stages.opened, scan);
+  tell(stages.opened, scan);
   return scan;
 }
 

@@ -85,8 +85,8 @@ BoundaryLoop loop_in_base(const ProblemBase& base, std::size_t part, const Opene
     std::sort(points.begin(), points.end());
     if (points == wanted) return candidate;
   }
-  throw InvalidArgument("loop " + std::to_string(loop.number) + " of " + scan.name.toStdString() +
-                        " is filled already: discard its patch, or choose another loop");
+  throw InvalidArgument(say("loop %1 of %2 is filled already: discard its patch, or choose another loop", loop.number,
+                            scan.name.toStdString()));
 }
 
 }  // namespace loopmend

@@ -2,8 +2,8 @@
 #include "jobs/problem_controller.h"
 
 #include "analysis/curvature_field.h"
-#include "document/engine_words.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "jobs/problem_base.h"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ void ProblemController::on_posed(std::shared_ptr<const ProblemBase> base, std::s
   picture_.arrival = Arrival::at_once;
   QString words = tr("%1 free vertices.").arg(labels::count(static_cast<std::size_t>(free_vertices())));
   if (!posed_->remark.empty())
-    words += QLatin1Char(' ') + labels::sentence(labels::engine_words(posed_->remark)) + QLatin1Char('.');
+    words += QLatin1Char(' ') + labels::sentence(labels::in_words(posed_->remark)) + QLatin1Char('.');
   go_to(Stage::posed, words);
   Q_EMIT picture_changed();
 }
@@ -193,7 +193,7 @@ void ProblemController::on_solved(std::shared_ptr<const Solution> solution, cons
   if (!made) {
     picture_.patch = start_shape_;
     picture_.arrival = Arrival::at_once;
-    fail(labels::engine_words(solution->refusal) + QLatin1Char('.'), Stage::posed);
+    fail(labels::in_words(solution->refusal) + QLatin1Char('.'), Stage::posed);
     Q_EMIT picture_changed();
     return;
   }
@@ -207,7 +207,7 @@ void ProblemController::on_solved(std::shared_ptr<const Solution> solution, cons
           .arg(solution_->outcome.steps)
           .arg(labels::number(solution_->outcome.energy.initial), labels::number(solution_->outcome.energy.final));
   if (!solution_->outcome.message.empty())
-    words += QLatin1Char(' ') + labels::sentence(labels::engine_words(solution_->outcome.message)) + QLatin1Char('.');
+    words += QLatin1Char(' ') + labels::sentence(labels::in_words(solution_->outcome.message)) + QLatin1Char('.');
   go_to(Stage::solved, words);
   Q_EMIT picture_changed();
 }

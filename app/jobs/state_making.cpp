@@ -13,7 +13,7 @@ std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch) 
   return boundary;
 }
 
-PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin,
+PatchStatePtr first_state(Patch patch, const Message& message, double density, const Vec3& origin,
                           const std::shared_ptr<const std::vector<Color>>& scan_colors) {
   auto state = std::make_shared<PatchState>();
   state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, scan_colors));
@@ -45,11 +45,11 @@ PatchStatePtr judged(PatchStatePtr state, const Patch* initial, ScanContext& sca
   auto marked = std::make_shared<PatchState>(*state);
   marked->status = PatchStatus::invalid;
   marked->message =
-      cuts ? "It cuts the surface or itself in " + std::to_string(validity.intersections) +
-                 " places; the command line leaves such a hole open. Run a flow, or discard it and try another density."
-           : "It folds over itself where the initial patch did not; the command line would keep the initial patch. Go "
-             "back a few "
-             "steps, or take smaller ones.";
+      cuts ? say("It cuts the surface or itself in %1 places; the command line leaves such a hole open. Run a flow, or "
+                 "discard it and try another density.",
+                 validity.intersections)
+           : say("It folds over itself where the initial patch did not; the command line would keep the initial patch. "
+                 "Go back a few steps, or take smaller ones.");
   return marked;
 }
 

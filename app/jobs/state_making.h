@@ -12,7 +12,7 @@ std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch);
 
 /// The state of an initial patch.
 /// @param scan_colors  as shape_of()
-PatchStatePtr first_state(Patch patch, const std::string& message, double density, const Vec3& origin,
+PatchStatePtr first_state(Patch patch, const Message& message, double density, const Vec3& origin,
                           const std::shared_ptr<const std::vector<Color>>& scan_colors);
 
 /// The state with another patch in it: shape and seam are made anew.

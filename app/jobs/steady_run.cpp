@@ -20,24 +20,21 @@ constexpr std::size_t most_live = 40;
 
 }  // namespace
 
-std::string message_of(const PatchResult& result) {
-  const char* method = [&] {
-    switch (result.method) {
-      case Method::robust_fairing: return "robust fairing in place of the flow";
-      case Method::sharp_edges: return "sharp edges continued in place of the flow";
-      case Method::linear_fairing: return "linear fairing in place of the flow";
-      case Method::split_flow: return result.reason.empty() ? "the flow on the smooth surface under the scan" : "";
-      case Method::mixed_order: return "the flow with bending energy mixed in";
-      case Method::initial_patch:
-      case Method::mirror_image:
-      case Method::flow: break;
-    }
-    return "";
-  }();
-  std::string text;
-  for (const std::string& part : {std::string(method), result.reason, result.message})
-    if (!part.empty()) text += (text.empty() ? "" : text == method ? ": " : "; ") + part;
-  return text;
+Message message_of(const PatchResult& result) {
+  Message method;
+  switch (result.method) {
+    case Method::robust_fairing: method = say("robust fairing in place of the flow"); break;
+    case Method::sharp_edges: method = say("sharp edges continued in place of the flow"); break;
+    case Method::linear_fairing: method = say("linear fairing in place of the flow"); break;
+    case Method::split_flow:
+      if (result.reason.empty()) method = say("the flow on the smooth surface under the scan");
+      break;
+    case Method::mixed_order: method = say("the flow with bending energy mixed in"); break;
+    case Method::initial_patch:
+    case Method::mirror_image:
+    case Method::flow: break;
+  }
+  return joined(std::move(method), ": ", joined(result.reason, "; ", result.message));
 }
 
 InitialPatch initial_of(const EvolveTask::Item& item) {
@@ -91,7 +88,7 @@ std::shared_ptr<PatchState> SteadyRun::after_step(const PatchState& start, const
   auto next = with_patch(start, evolution.patch(), task_.origin);
   next->status = PatchStatus::ready;
   next->energy = {initial_energy_, record.energy};
-  next->message.clear();
+  next->message = {};
   next->flow = task_.options.flow;
   next->method = evolution.method();
   next->steps = start.steps + record.step;
@@ -139,7 +136,7 @@ std::vector<OpenPatch> SteadyRun::run() {
     return {};
   }
   std::vector<OpenPatch> parts;
-  for (const auto& result : group.patches) parts.push_back(part(result->patch.loop_numbers, result.get(), ""));
+  for (const auto& result : group.patches) parts.push_back(part(result->patch.loop_numbers, result.get(), {}));
   for (const HoleResult& hole : group.holes)
     if (!hole.patch) parts.push_back(part({hole.loop.number}, nullptr, hole.message));
   if (job_.pause_token().cancelled()) return {};
@@ -177,7 +174,7 @@ std::vector<BoundaryLoop> SteadyRun::loops_of(const std::vector<int>& numbers) c
   return loops;
 }
 
-OpenPatch SteadyRun::part(const std::vector<int>& numbers, const PatchResult* result, const std::string& why_not) {
+OpenPatch SteadyRun::part(const std::vector<int>& numbers, const PatchResult* result, const Message& why_not) {
   const std::vector<BoundaryLoop> loops = loops_of(numbers);
   OpenPatch part;
   part.scan = item_.patch.scan;

@@ -12,7 +12,7 @@
 namespace loopmend {
 
 /// What was done in place of the flow, and why; then what is to be said of the result.
-std::string message_of(const PatchResult& result);
+Message message_of(const PatchResult& result);
 
 /// What solve_group() is asked for.
 InitialPatch initial_of(const EvolveTask::Item& item);
@@ -36,7 +36,7 @@ class SteadyRun {
   PatchStatePtr state_of(const PatchResult& result, const PatchState& from);
   void finish(const PatchResult& result);
   /// Some of the loops as a patch of their own. @param result  null: the initial patch, and `why_not`.
-  OpenPatch part(const std::vector<int>& numbers, const PatchResult* result, const std::string& why_not);
+  OpenPatch part(const std::vector<int>& numbers, const PatchResult* result, const Message& why_not);
   /// A part's initial patch.
   PatchStatePtr first_of(const std::vector<int>& numbers, const PatchResult* result);
   std::vector<BoundaryLoop> loops_of(const std::vector<int>& numbers) const;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/task_runner.h"
 
+#include "core/error.h"
 #include "core/threads.h"
-#include "document/engine_words.h"
+#include "document/message_words.h"
 #include "jobs/thread_priority.h"
 
 #include <QCoreApplication>
@@ -68,7 +69,7 @@ void TaskRunner::start(const JobPtr& job, std::function<void()> work, Failed fai
       // Among many, a second thread for each only makes the window wait.
       with_thread_budget(yielding == Yielding::as_it_can ? 1 : 0, work);
     } catch (const std::exception& error) {
-      job->post([failed, words = labels::engine_words(error.what())] { failed(words); });
+      job->post([failed, words = labels::in_words(message_of(error))] { failed(words); });
     }
     done->store(true);
   };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/candidates_panel.h"
 
-#include "document/engine_words.h"
 #include "document/hole_selection.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "document/targets.h"
 #include "jobs/fill_controller.h"
 #include "panels/candidate_card.h"
@@ -172,7 +172,7 @@ CardText CandidatesPanel::text_of(const Candidate& candidate) const {
 QString CandidatesPanel::words_on_refused() const {
   QStringList lines;
   for (const auto& [kind, why] : candidates_.refused())
-    lines << tr("%1: %2").arg(labels::candidate(kind), labels::engine_words(why));
+    lines << tr("%1: %2").arg(labels::candidate(kind), labels::in_words(why));
   return lines.join(QLatin1Char('\n'));
 }
 

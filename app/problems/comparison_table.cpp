@@ -113,7 +113,11 @@ std::string comparison_table(const FlowComparison& comparison) {
   for (const auto& row : comparison_rows(comparison)) text += joined_row(row, "| ", " | ", " |\n");
   for (const ComparedFlow& run : comparison.runs)
     if (!run.outcome.message.empty())
-      text.append("\n").append(upper_name(run.outcome.flow)).append(": ").append(run.outcome.message).append(".\n");
+      text.append("\n")
+          .append(upper_name(run.outcome.flow))
+          .append(": ")
+          .append(run.outcome.message.english())
+          .append(".\n");
   return text;
 }
 

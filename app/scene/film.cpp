@@ -30,7 +30,7 @@ std::vector<int> film_durations(std::size_t shown) {
 }
 
 std::vector<GifColor> film_palette(const std::vector<RgbPicture>& samples) {
-  if (samples.empty()) throw InvalidArgument("a palette needs a picture.");
+  if (samples.empty()) throw InvalidArgument(say("a palette needs a picture."));
   const int width = samples.front().width;
   int rows = 0;
   for (const RgbPicture& sample : samples) rows += sample.height;

@@ -101,7 +101,7 @@ struct GifWriter::Impl {
   void require(int answer) const {
     if (answer == GIF_ERROR) {
       const char* why = GifErrorString(gif->Error);
-      throw Error(std::string("the film could not be made: ") + (why ? why : "giflib failed") + ".");
+      throw Error(say("the film could not be made: %1.", why ? verbatim(why) : say("giflib failed")));
     }
   }
   void begin(std::ostream& out);
@@ -112,7 +112,7 @@ struct GifWriter::Impl {
 void GifWriter::Impl::begin(std::ostream& out) {
   int error = 0;
   gif = EGifOpen(&out, to_stream, &error);
-  if (!gif) throw Error("the film could not be begun: giflib failed.");
+  if (!gif) throw Error(say("the film could not be begun: giflib failed."));
   EGifSetGifVersion(gif, true);
   std::vector<GifColorType> colors(256);
   for (std::size_t k = 0; k < palette.size(); ++k) colors[k] = {palette[k][0], palette[k][1], palette[k][2]};
@@ -167,7 +167,7 @@ GifWriter::GifWriter(std::ostream& out, int width, int height, std::vector<GifCo
     : impl_(std::make_unique<Impl>(width, height, std::move(palette))) {
   if (width < 1 || height < 1 || width > 65535 || height > 65535 || impl_->palette.empty() ||
       impl_->palette.size() > most_gif_colors)
-    throw InvalidArgument("a GIF has 1 to 65535 pixels on either side, and 1 to 255 colours.");
+    throw InvalidArgument(say("a GIF has 1 to 65535 pixels on either side, and 1 to 255 colours."));
   try {
     impl_->begin(out);
   } catch (...) {
@@ -187,7 +187,7 @@ void GifWriter::add(const RgbPicture& picture, int hundredths) {
   const std::size_t pixels = static_cast<std::size_t>(i.width) * static_cast<std::size_t>(i.height);
   if (picture.width != i.width || picture.height != i.height || picture.bytes.size() != 3 * pixels || hundredths < 1 ||
       hundredths > 65535)
-    throw InvalidArgument("every picture of a film has the same size, and is shown for a time above 0.");
+    throw InvalidArgument(say("every picture of a film has the same size, and is shown for a time above 0."));
   i.next.resize(pixels);
   std::size_t k = 0;
   for (int y = 0; y < i.height; ++y)
@@ -203,7 +203,7 @@ void GifWriter::add(const RgbPicture& picture, int hundredths) {
 void GifWriter::finish() {
   int error = 0;
   const int answer = EGifCloseFile(std::exchange(impl_->gif, nullptr), &error);
-  if (answer == GIF_ERROR) throw Error("the film could not be ended: giflib failed.");
+  if (answer == GIF_ERROR) throw Error(say("the film could not be ended: giflib failed."));
 }
 
 }  // namespace loopmend

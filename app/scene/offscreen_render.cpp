@@ -37,10 +37,11 @@ struct SceneOfModel {
 void check(const RenderOptions& options) {
   for (int size : {options.width, options.height})
     if (size < 64 || size > 8192)
-      throw InvalidArgument("picture size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
-                            " is out of range. Give a width and a height between 64 and 8192 pixels.");
-  if (options.h_range && !(*options.h_range > 0)) throw InvalidArgument("the colour range must be larger than 0.");
-  if (options.eye && !(options.eye->norm() > 0)) throw InvalidArgument("the eye must not stand in the middle.");
+      throw InvalidArgument(
+          say("picture size %1x%2 is out of range. Give a width and a height between 64 and 8192 pixels.",
+              options.width, options.height));
+  if (options.h_range && !(*options.h_range > 0)) throw InvalidArgument(say("the colour range must be larger than 0."));
+  if (options.eye && !(options.eye->norm() > 0)) throw InvalidArgument(say("the eye must not stand in the middle."));
 }
 
 /// Line widths and letters are drawn for a picture about 1000 pixels wide.
@@ -78,8 +79,7 @@ void fill_scene(SceneOfModel& picture, const SurfaceModel& model, const RenderOp
 const BoundaryLoop& loop_numbered(const std::vector<BoundaryLoop>& loops, int number) {
   for (const BoundaryLoop& loop : loops)
     if (loop.number == number) return loop;
-  throw InvalidArgument("there is no loop " + std::to_string(number) + ": the surface has " +
-                        std::to_string(loops.size()));
+  throw InvalidArgument(say("there is no loop %1: the surface has %2", number, loops.size()));
 }
 
 /// What the camera is aimed at: all shapes of a picture, or one loop of the first.
@@ -163,8 +163,7 @@ vtkNew<vtkImageData> image_of(vtkRenderWindow* window, const RenderOptions& opti
   const int* size = window->GetSize();
   window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
   if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
-    throw Error("this machine could not draw a picture of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
-                " pixels. Try a smaller --size.");
+    throw Error(say("this machine could not draw a picture of %1x%2 pixels. Try a smaller --size.", size[0], size[1]));
   return halve(pixels, options.width, options.height);
 }
 
@@ -259,7 +258,7 @@ std::string render_before_after(const SurfaceModel& before, const SurfaceModel& 
 
 std::string render_panels(const std::vector<Panel>& panels, int columns, const RenderOptions& options) {
   check(options);
-  if (panels.empty() || columns < 1) throw InvalidArgument("a picture needs at least one panel and one column.");
+  if (panels.empty() || columns < 1) throw InvalidArgument(say("a picture needs at least one panel and one column."));
   const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
   const int width = supersampling * options.width, height = supersampling * options.height;
   const auto window = make_offscreen_window(width, height);

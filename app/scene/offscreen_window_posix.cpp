@@ -25,17 +25,18 @@ class EglContext {
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (platform_display) display_ = platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (display_ == EGL_NO_DISPLAY) display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) fail("EGL does not start");
-    if (!eglBindAPI(EGL_OPENGL_API)) fail("EGL has no desktop OpenGL");
+    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) fail(say("EGL does not start"));
+    if (!eglBindAPI(EGL_OPENGL_API)) fail(say("EGL has no desktop OpenGL"));
     const EGLint config_wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config{};
     EGLint count = 0;
-    if (!eglChooseConfig(display_, config_wanted, &config, 1, &count) || count == 0) fail("no EGL configuration fits");
+    if (!eglChooseConfig(display_, config_wanted, &config, 1, &count) || count == 0)
+      fail(say("no EGL configuration fits"));
     const EGLint context_wanted[] = {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 2, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, context_wanted);
-    if (context_ == EGL_NO_CONTEXT) fail("no OpenGL 3.2 context");
+    if (context_ == EGL_NO_CONTEXT) fail(say("no OpenGL 3.2 context"));
   }
   ~EglContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -49,8 +50,10 @@ class EglContext {
 
  private:
   [[noreturn]] static void fail(const std::string& why) {
-    throw Error("cannot draw without a display: " + why +
-                ". Install the package libegl-mesa0 (software rendering) or a graphics driver with EGL.");
+    throw Error(
+        say("cannot draw without a display: %1. Install the package libegl-mesa0 (software rendering) or a graphics "
+            "driver with EGL.",
+            why));
   }
 
   EGLDisplay display_ = EGL_NO_DISPLAY;

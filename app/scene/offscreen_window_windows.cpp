@@ -14,7 +14,7 @@ vtkSmartPointer<vtkRenderWindow> make_offscreen_window(int width, int height) {
   window->SetMultiSamples(0);
   window->SetSize(width, height);
   if (!window->SupportsOpenGL())
-    throw Error("cannot draw: this machine has no OpenGL 3.2. Install the driver of the graphics card.");
+    throw Error(say("cannot draw: this machine has no OpenGL 3.2. Install the driver of the graphics card."));
   return window;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/tool_controller.h"
 
-#include "document/engine_words.h"
+#include "core/error.h"
 #include "document/labels.h"
+#include "document/message_words.h"
 #include "jobs/problem_base.h"
 #include "mesh/facing_loops.h"
 #include "views/mesh_view.h"
@@ -268,7 +269,7 @@ void ToolController::select_facing() {
       loops.insert(document_.first_loop_of(scans[k]) + static_cast<int>(best[k]));
     selection_.select(loops);
   } catch (const std::exception& error) {
-    Q_EMIT failed(labels::sentence(labels::engine_words(error.what())));
+    Q_EMIT failed(labels::sentence(labels::in_words(message_of(error))));
   }
 }
 

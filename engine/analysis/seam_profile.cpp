@@ -86,7 +86,7 @@ class Side {
 
 const std::vector<int>& loop_of(const Patch& patch, int loop) {
   if (loop < 0 || loop >= static_cast<int>(patch.loops.size()))
-    throw InvalidArgument("the patch has no loop " + std::to_string(loop));
+    throw InvalidArgument(say("the patch has no loop %1", loop));
   return patch.loops[loop];
 }
 
@@ -105,10 +105,10 @@ constexpr FitOptions wide_fit() {
 std::vector<ProfilePoint> seam_profile(const Patch& patch, int loop, int edge, double reach,
                                        std::span<const float> H_sigma) {
   if (!H_sigma.empty() && H_sigma.size() != static_cast<std::size_t>(patch.vertex_count() - patch.free_count))
-    throw InvalidArgument("the standard deviation of H must be given at each fixed vertex");
+    throw InvalidArgument(say("the standard deviation of H must be given at each fixed vertex"));
   const std::vector<int>& boundary = loop_of(patch, loop);
   const int count = static_cast<int>(boundary.size());
-  if (edge < 0 || edge >= count) throw InvalidArgument("the loop has no edge " + std::to_string(edge));
+  if (edge < 0 || edge >= count) throw InvalidArgument(say("the loop has no edge %1", edge));
   const int a = boundary[edge], b = boundary[(edge + 1) % count];
   std::vector<ProfilePoint> profile = Side(patch, triangles_around(patch), H_sigma).walk(a, b, reach);
   for (ProfilePoint& p : profile) p.distance = 0 - p.distance;  // no −0

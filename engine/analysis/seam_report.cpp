@@ -60,7 +60,7 @@ std::vector<SeamReport> seam_reports(const Patch& patch) {
 
 SeamReport seam_report(const Patch& patch, int loop) {
   if (loop < 0 || loop >= static_cast<int>(patch.loops.size()))
-    throw InvalidArgument("the patch has no loop " + std::to_string(loop));
+    throw InvalidArgument(say("the patch has no loop %1", loop));
   SeamSides sides(patch);
   return report_of(patch, sides, patch.loops[loop]);
 }

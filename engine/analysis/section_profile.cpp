@@ -125,9 +125,9 @@ Chain longest_through_patch(const Cut& cut) {
 
 SectionProfile section_profile(const Patch& patch, int loop, double angle, std::span<const float> values) {
   if (loop < 0 || loop >= static_cast<int>(patch.loops.size()))
-    throw InvalidArgument("the patch has no loop " + std::to_string(loop));
+    throw InvalidArgument(say("the patch has no loop %1", loop));
   if (values.size() != patch.positions.size())
-    throw InvalidArgument("a section needs one value for each vertex of the patch");
+    throw InvalidArgument(say("a section needs one value for each vertex of the patch"));
   const Cut cut = cut_by(patch, values, plane_across(patch, patch.loops[loop], angle));
   const Chain chain = longest_through_patch(cut);
   SectionProfile profile;

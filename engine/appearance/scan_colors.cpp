@@ -106,7 +106,7 @@ class Colorer {
       try {
         entry->second = std::make_shared<Picture>(files_->read(*path));
       } catch (const ReadError& error) {
-        result_.problems.push_back(std::string("A picture of the scan's texture cannot be used: ") + error.what());
+        result_.problems.push_back(say("A picture of the scan's texture cannot be used: %1", error.message()));
       }
     }
     return entry->second;

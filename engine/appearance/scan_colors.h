@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "core/picture.h"
 #include "mesh/patch.h"
 #include "mesh/surface_model.h"
@@ -24,9 +25,9 @@ struct ColoredPart {
 };
 
 struct ScanColors {
-  std::vector<Color> at_vertices;     ///< per vertex of the view; empty: the scan has no colours
-  std::vector<ColoredPart> parts;     ///< all faces of the view; empty where colours at the vertices say it all
-  std::vector<std::string> problems;  ///< sentences: pictures and material files that cannot be used
+  std::vector<Color> at_vertices;  ///< per vertex of the view; empty: the scan has no colours
+  std::vector<ColoredPart> parts;  ///< all faces of the view; empty where colours at the vertices say it all
+  std::vector<Message> problems;   ///< sentences: pictures and material files that cannot be used
 };
 
 /// Of each face, the first that it has: a picture, colours of its vertices, a colour of its own, the colour of its material.

@@ -22,9 +22,8 @@ Deadline::Deadline(std::chrono::steady_clock::time_point start, std::optional<do
     thread_ = std::thread(watch);
   } catch (const std::system_error&) {
     throw LimitError(
-        "a limit of time needs a thread that watches it, and the system allows no more (ulimit -u). Raise that limit, "
-        "or "
-        "leave --max-time out.");
+        say("a limit of time needs a thread that watches it, and the system allows no more (ulimit -u). Raise that "
+            "limit, or leave --max-time out."));
   }
 }
 

@@ -2,24 +2,29 @@
 #include "core/error.h"
 #include "core/path_text.h"
 
+#include <new>
+
 namespace loopmend {
 
 namespace {
-std::string sentence(const std::filesystem::path& path, const std::string& problem, const std::string& place,
-                     const std::string& cure) {
-  std::string text = path_text(path) + ": " + problem;
-  if (!place.empty()) text += " (" + place + ")";
-  text += ".";
-  if (!cure.empty()) text += " " + cure;
-  return text;
+Message of_file(const std::filesystem::path& path, Message problem, Message place, Message cure) {
+  Message what = joined(verbatim(path_text(path)), ": ", std::move(problem));
+  if (!place.empty()) what = Message{"%1 (%2)", {std::move(what), std::move(place)}, {}, false};
+  what = Message{"%1.", {std::move(what)}, {}, false};
+  return joined(std::move(what), " ", std::move(cure));
 }
 }  // namespace
 
-ReadError::ReadError(const std::filesystem::path& path, const std::string& problem, const std::string& place,
-                     const std::string& cure)
-    : Error(sentence(path, problem, place, cure)) {}
+ReadError::ReadError(const std::filesystem::path& path, Message problem, Message place, Message cure)
+    : Error(of_file(path, std::move(problem), std::move(place), std::move(cure))) {}
 
-WriteError::WriteError(const std::filesystem::path& path, const std::string& problem, const std::string& cure)
-    : Error(sentence(path, problem, "", cure)) {}
+WriteError::WriteError(const std::filesystem::path& path, Message problem, Message cure)
+    : Error(of_file(path, std::move(problem), {}, std::move(cure))) {}
+
+Message message_of(const std::exception& error) {
+  if (const auto* own = dynamic_cast<const Error*>(&error)) return own->message();
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return say("there is not enough memory for this");
+  return verbatim(error.what());
+}
 
 }  // namespace loopmend

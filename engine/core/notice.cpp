@@ -22,10 +22,6 @@ std::string two_digits(double value) {
   return text;
 }
 
-std::string counted(double count, const char* one, const char* many) {
-  return rounded(count) + " " + (std::lround(count) == 1 ? one : many);
-}
-
 }  // namespace
 
 const char* to_string(NoticeCode code) {
@@ -50,45 +46,59 @@ const char* to_string(NoticeCode code) {
   return "";
 }
 
-std::string english(const Notice& notice) {
+namespace {
+
+Message sentence(const Notice& notice) {
   const auto number = [&](std::size_t k) { return argument(notice, k); };
+  const bool one = std::lround(number(0)) == 1;
+  const std::string whole = rounded(number(0)), digits = two_digits(number(0)), more = two_digits(number(1));
   switch (notice.code) {
     case NoticeCode::crosses_surface:
-      return "crosses the surface or itself in " + counted(number(0), "place", "places");
-    case NoticeCode::nonmanifold_edges: return counted(number(0), "edge has", "edges have") + " more than two faces";
-    case NoticeCode::folded_edges: return counted(number(0), "edge is", "edges are") + " folded by more than 150°";
+      return one ? say("crosses the surface or itself in 1 place")
+                 : say("crosses the surface or itself in %1 places", whole);
+    case NoticeCode::nonmanifold_edges:
+      return one ? say("1 edge has more than two faces") : say("%1 edges have more than two faces", whole);
+    case NoticeCode::folded_edges:
+      return one ? say("1 edge is folded by more than 150°") : say("%1 edges are folded by more than 150°", whole);
     case NoticeCode::torn_seam:
-      return "a crease of " + rounded(number(0)) + "° along " + counted(number(1), "edge", "edges") +
-             " of the seam, where the initial patch had " + rounded(number(2)) + "°";
-    case NoticeCode::dome_over_flat_loop: return "a dome " + two_digits(number(0)) + " diameters high over a flat loop";
+      return say("a crease of %1° along %2 edges of the seam, where the initial patch had %3°", whole,
+                 rounded(number(1)), rounded(number(2)));
+    case NoticeCode::dome_over_flat_loop: return say("a dome %1 diameters high over a flat loop", digits);
     case NoticeCode::bubble:
-      return "a bubble of " + two_digits(number(0)) + " times the area of the initial patch" +
-             (number(1) > 0.05 ? ", reaching " + two_digits(number(1)) + " diameters beyond it" : "");
+      return number(1) > 0.05
+                 ? say("a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it", digits,
+                       more)
+                 : say("a bubble of %1 times the area of the initial patch", digits);
     case NoticeCode::curvature_torn:
-      return "mean curvature jumps at the seam by " + two_digits(number(0)) + " / diameter, before the flow by " +
-             two_digits(number(1));
-    case NoticeCode::initial_patch_kept: return "no flow or fairing gave a sound patch: the initial patch was kept";
+      return say("mean curvature jumps at the seam by %1 / diameter, before the flow by %2", digits, more);
+    case NoticeCode::initial_patch_kept:
+      return say("no flow or fairing gave a sound patch: the initial patch was kept");
     case NoticeCode::crease:
-      return "a crease of " + rounded(number(0)) + "° along " + counted(number(1), "edge", "edges") + " of the seam";
+      return std::lround(number(1)) == 1 ? say("a crease of %1° along 1 edge of the seam", whole)
+                                         : say("a crease of %1° along %2 edges of the seam", whole, rounded(number(1)));
     case NoticeCode::high_over_loop:
-      return "rises " + two_digits(number(0)) + " diameters over its loop; a ball through the seam would rise " +
-             two_digits(number(1));
-    case NoticeCode::likely_far:
-      return "what was there may lie " + two_digits(number(0)) + " diameters away: the shape is a guess";
+      return say("rises %1 diameters over its loop; a ball through the seam would rise %2", digits, more);
+    case NoticeCode::likely_far: return say("what was there may lie %1 diameters away: the shape is a guess", digits);
     case NoticeCode::mirror_image:
-      return "copied from the mirror image, from which the surface around is " + two_digits(number(0)) +
-             " diameters away";
+      return say("copied from the mirror image, from which the surface around is %1 diameters away", digits);
     case NoticeCode::mirror_misfit:
-      return "not copied from the mirror image, from which the surface around is " + two_digits(number(0)) +
-             " diameters away; from a quadric it is " + two_digits(number(1));
+      return say(
+          "not copied from the mirror image, from which the surface around is %1 diameters away; from a quadric it is "
+          "%2",
+          digits, more);
     case NoticeCode::mirror_no_symmetry:
-      return "not copied from the mirror image, since the scan is not symmetric: its best image is " +
-             two_digits(number(0)) + " of its extent away";
-    case NoticeCode::mirror_open: return "not copied from the mirror image, which has no surface there";
+      return say(
+          "not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent away",
+          digits);
+    case NoticeCode::mirror_open: return say("not copied from the mirror image, which has no surface there");
     case NoticeCode::mirror_faulty:
-      return "not copied from the mirror image, which folds there, cuts the surface or does not close the hole";
+      return say("not copied from the mirror image, which folds there, cuts the surface or does not close the hole");
   }
-  return "";
+  return {};
 }
+
+}  // namespace
+
+Message message_of(const Notice& notice) { return sentence(notice).with_code(to_string(notice.code)); }
 
 }  // namespace loopmend

@@ -3,6 +3,8 @@
 // languages by the window.
 #pragma once
 
+#include "core/message.h"
+
 #include <string>
 #include <vector>
 
@@ -39,6 +41,6 @@ struct Notice {
 const char* to_string(NoticeCode code);
 
 /// A sentence without capital and full stop: "a crease of 50° along 12 edges of the seam".
-std::string english(const Notice& notice);
+Message message_of(const Notice& notice);
 
 }  // namespace loopmend

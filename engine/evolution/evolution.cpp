@@ -14,12 +14,11 @@ namespace loopmend {
 
 void check(const EvolutionOptions& options) {
   if (!(options.sigma >= 1e-6 && options.sigma <= 1e8))
-    throw InvalidArgument("the time step sigma must lie between 1e-6 and 1e8, not " + std::to_string(options.sigma));
+    throw InvalidArgument(say("the time step sigma must lie between 1e-6 and 1e8, not %1", options.sigma));
   if (options.bending && !(*options.bending >= 0 && *options.bending <= 1e6))
-    throw InvalidArgument("the share of bending energy must lie between 0 and 1e6, not " +
-                          std::to_string(*options.bending));
+    throw InvalidArgument(say("the share of bending energy must lie between 0 and 1e6, not %1", *options.bending));
   if (options.max_steps < 1)
-    throw InvalidArgument("the number of steps must be at least 1, not " + std::to_string(options.max_steps));
+    throw InvalidArgument(say("the number of steps must be at least 1, not %1", options.max_steps));
 }
 
 bool is_judged(const EvolutionOptions& options) {
@@ -28,15 +27,19 @@ bool is_judged(const EvolutionOptions& options) {
          options.continuity == SeamContinuity::curvature;
 }
 
-std::string reason_for(const SplitEstimate& estimate, Method method) {
-  const std::string scan = !std::isfinite(estimate.relief_height)
-                               ? "the scan around the hole does not tell shape from relief"
-                           : estimate.kind() == NeighborhoodKind::noisy ? "the scan around the hole is noisy"
-                                                                        : "the scan around the hole has relief";
-  const std::string how = "; --boundary exact runs the flow itself";
-  if (method == Method::split_flow) return scan + ": the flow runs on the smooth surface under it" + how;
-  if (method == Method::robust_fairing) return scan + ", so that its curvature counts little" + how;
-  return "";
+Message reason_for(const SplitEstimate& estimate, Method method) {
+  const bool is_known = std::isfinite(estimate.relief_height), is_noisy = estimate.kind() == NeighborhoodKind::noisy;
+  Message scan = !is_known  ? say("the scan around the hole does not tell shape from relief")
+                 : is_noisy ? say("the scan around the hole is noisy")
+                            : say("the scan around the hole has relief");
+  Message reason;
+  if (method == Method::split_flow) reason = say("%1: the flow runs on the smooth surface under it", std::move(scan));
+  if (method == Method::robust_fairing) reason = say("%1, so that its curvature counts little", std::move(scan));
+  if (reason.empty()) return {};
+  return joined(std::move(reason), "; ", say("--boundary exact runs the flow itself"))
+      .with_code(!is_known  ? "relief_unknown"
+                 : is_noisy ? "noisy"
+                            : "relief");
 }
 
 std::string method_name(Method method, FlowKind flow) {
@@ -136,7 +139,7 @@ Evolution& Evolution::operator=(Evolution&&) noexcept = default;
 
 void Evolution::step(const CancelToken& cancel) {
   EvolvingPatch& patch = impl_->patch;
-  if (patch.status == PatchStatus::step_limit) patch.stop(PatchStatus::ready, "");
+  if (patch.status == PatchStatus::step_limit) patch.stop(PatchStatus::ready);
   if (patch.status == PatchStatus::ready && !patch.stop_if(cancel)) impl_->stepper->step(patch, cancel);
 }
 
@@ -149,7 +152,7 @@ PatchStatus Evolution::run(const OnStep& on_step, const CancelToken& cancel) {
     if (patch.status != PatchStatus::ready) return patch.status;
   }
   patch.stop(PatchStatus::step_limit,
-             "stopped after " + std::to_string(patch.options.max_steps) + " steps, before the steady state");
+             say("stopped after %1 steps, before the steady state", patch.options.max_steps).with_code("step_limit"));
   return patch.status;
 }
 
@@ -157,7 +160,7 @@ void Evolution::set_options(const EvolutionOptions& options) { impl_->begin(opti
 const Patch& Evolution::patch() const { return impl_->patch.state.patch; }
 const EvolutionOptions& Evolution::options() const { return impl_->patch.options; }
 PatchStatus Evolution::status() const { return impl_->patch.status; }
-const std::string& Evolution::message() const { return impl_->patch.message; }
+const Message& Evolution::message() const { return impl_->patch.message; }
 const std::vector<StepRecord>& Evolution::history() const { return impl_->patch.history; }
 double Evolution::initial_energy() const { return impl_->patch.initial_energy; }
 double Evolution::energy() const { return impl_->patch.energy(); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "evolution/patch_status.h"
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
@@ -97,7 +98,7 @@ enum class Method {
 };
 
 /// Why the boundary data ask for something else than the flow, and how to get the flow all the same. Empty if they do not.
-std::string reason_for(const SplitEstimate& estimate, Method method);
+Message reason_for(const SplitEstimate& estimate, Method method);
 
 /// The word of reports: "mmcvf", "mmcvf_mixed_order", "robust_fairing", ...
 std::string method_name(Method method, FlowKind flow);
@@ -145,7 +146,7 @@ class Evolution {
   const EvolutionOptions& options() const;
   PatchStatus status() const;
   /// In words, for a person: why it stopped, what was left out. Empty while ready.
-  const std::string& message() const;
+  const Message& message() const;
   const std::vector<StepRecord>& history() const;
   double initial_energy() const;  ///< of the start, units as in StepRecord; by the same fits as energy()
   double energy() const;          ///< of the present state

@@ -32,9 +32,9 @@ int order_of(FlowKind flow) { return flow == FlowKind::mcf ? 2 : flow == FlowKin
 }  // namespace
 
 EvolvingPatch::EvolvingPatch(Patch first) : start(std::move(first)) {
-  if (start.free_count == 0) throw InvalidArgument("the patch has no free vertex to evolve");
+  if (start.free_count == 0) throw InvalidArgument(say("the patch has no free vertex to evolve"));
   for (const Vec3& p : start.positions)
-    if (!p.allFinite()) throw InvalidArgument("the patch has a vertex that is not finite");
+    if (!p.allFinite()) throw InvalidArgument(say("the patch has a vertex that is not finite"));
   room = room_around(start, room_beyond_start);
   state = make_state(start, objective, stencil, nullptr, Fits::curvatures);
   start_folds = state.folds;
@@ -48,7 +48,7 @@ void EvolvingPatch::begin(const EvolutionOptions& new_options, const Objective& 
     state = make_state(std::move(state.patch), objective, stencil, state.topology, Fits::curvatures);
   const bool steps = options.mode == EvolutionMode::steps || options.flow != FlowKind::mmcvf;
   allowed_folds = start_folds + (steps ? 0 : std::max(2, state.patch.free_count / 200));
-  stop(PatchStatus::ready, "");
+  stop(PatchStatus::ready);
 }
 
 bool EvolvingPatch::acceptable(const EvolutionState& next, double limit) const {
@@ -108,17 +108,17 @@ bool EvolvingPatch::require_fits() {
     known += state.ops.valid[i];
   }
   if (state.unfitted == 0 && (loop == 0 || 2 * known > loop)) return true;
-  stop(PatchStatus::stalled, "the surface around the hole has too few vertices to tell its curvature");
+  stop(PatchStatus::stalled, say("the surface around the hole has too few vertices to tell its curvature"));
   return false;
 }
 
 bool EvolvingPatch::stop_if(const CancelToken& cancel) {
   if (!cancel.cancelled()) return false;
-  stop(PatchStatus::cancelled, "cancelled");
+  stop(PatchStatus::cancelled, say("cancelled"));
   return true;
 }
 
-void EvolvingPatch::stop(PatchStatus why, std::string text) {
+void EvolvingPatch::stop(PatchStatus why, Message text) {
   status = why;
   message = std::move(text);
 }

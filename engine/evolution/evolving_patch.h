@@ -2,6 +2,7 @@
 // What every way to step a patch shares: the present state, what a step may do to it, and the record of the steps.
 #pragma once
 
+#include "core/message.h"
 #include "evolution/evolution.h"
 #include "evolution/state.h"
 
@@ -33,7 +34,7 @@ struct EvolvingPatch {
   bool require_fits();
   /// @returns true if cancelled; the evolution has then stopped.
   bool stop_if(const CancelToken& cancel);
-  void stop(PatchStatus why, std::string text);
+  void stop(PatchStatus why, Message text = {});
 
   double edge_length() const;  ///< mean, of the patch
   double energy() const { return shown_energy(options.flow, state); }
@@ -44,7 +45,7 @@ struct EvolvingPatch {
   EvolutionState state;
   Stencil stencil = Stencil::two_ring;  ///< of the state's fits
   PatchStatus status = PatchStatus::ready;
-  std::string message;
+  Message message;
   std::vector<StepRecord> history;
   double initial_energy = 0;  ///< of `start`, by the state's stencil
   Eigen::AlignedBox3d room;   ///< no vertex may leave it (docs/dev/numerics.md, "Bubbles")

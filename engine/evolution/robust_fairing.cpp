@@ -36,7 +36,7 @@ void RobustFairing::step(EvolvingPatch& patch, const CancelToken& cancel) {
   Patch faired = before;
   if (!blend_once(faired, first ? SeamContinuity::tangent : patch.options.continuity, confidence, radius_, cancel)) {
     if (patch.stop_if(cancel)) return;
-    return patch.stop(PatchStatus::stalled, "stopped early: the patch is too degenerate to be faired");
+    return patch.stop(PatchStatus::stalled, say("stopped early: the patch is too degenerate to be faired"));
   }
   StepRecord record;
   record.step = static_cast<int>(patch.history.size()) + 1;
@@ -52,7 +52,7 @@ void RobustFairing::step(EvolvingPatch& patch, const CancelToken& cancel) {
   patch.history.push_back(record);
   // Fairings of lower order are repeated until they move nothing; on most scans vertices go on sliding along the surface.
   const bool converged = !weighs_boundary_ && record.max_move < small_move;
-  if (--passes_left_ == 0 || converged) patch.stop(PatchStatus::faired, "");
+  if (--passes_left_ == 0 || converged) patch.stop(PatchStatus::faired);
 }
 
 }  // namespace loopmend

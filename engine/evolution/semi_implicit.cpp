@@ -22,7 +22,8 @@ constexpr double flow_tolerance = 1.05;  ///< docs/dev/numerics.md, "Semi-implic
 constexpr double linear_tolerance = 1e-4;
 constexpr double smallest_step = 1e-6;   ///< relative to the step that was asked for: below, the flow has stalled
 constexpr int semi_implicit_trials = 2;  ///< of a step, before Gauss-Newton takes it
-constexpr const char* collapsed_text = "stopped early: only vanishing time steps keep the flow stable here";
+constexpr const char* collapsed_text =
+    text_to_say("stopped early: only vanishing time steps keep the flow stable here");
 
 bool has_energy(FlowKind flow) { return flow == FlowKind::mmcvf || flow == FlowKind::wf; }
 
@@ -102,8 +103,8 @@ bool SemiImplicit::mesh_is_worn(const EvolvingPatch& patch) {
 
 void SemiImplicit::finish(EvolvingPatch& patch, bool converged) {
   lowest_measure_ = std::min(lowest_measure_, patch.state.measure);
-  if (converged) return patch.stop(PatchStatus::converged, "");
-  if (sigma_ < smallest_step * wanted_sigma_) return patch.stop(PatchStatus::stalled, collapsed_text);
+  if (converged) return patch.stop(PatchStatus::converged);
+  if (sigma_ < smallest_step * wanted_sigma_) return patch.stop(PatchStatus::stalled, say(collapsed_text));
   sigma_ = std::min(wanted_sigma_, sigma_ * 3);
   if (mesh_is_worn(patch)) patch.improve_mesh(flow_tolerance * lowest_measure_);
 }
@@ -130,11 +131,11 @@ void SemiImplicit::step(EvolvingPatch& patch, const CancelToken& cancel) {
     // Smaller steps move less: that is no convergence. What counts is a step of the size that was asked for.
     const bool stands_still = trial.move < small_move * std::min(1.0, sigma_) && sigma_ >= 0.1 * wanted_sigma_;
     if (trial.accepted) return finish(patch, trial.whole && stands_still);
-    if (descent && trial.solved && stands_still) return patch.stop(PatchStatus::converged, "");
+    if (descent && trial.solved && stands_still) return patch.stop(PatchStatus::converged);
     ++record.rejections;
     sigma_ /= 10;
   }
-  if (!patch.stop_if(cancel)) patch.stop(PatchStatus::stalled, collapsed_text);
+  if (!patch.stop_if(cancel)) patch.stop(PatchStatus::stalled, say(collapsed_text));
 }
 
 }  // namespace loopmend

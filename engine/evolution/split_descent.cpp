@@ -10,7 +10,8 @@ namespace loopmend {
 
 namespace {
 
-constexpr const char* descent_stalled_text = "stopped early: no step lowers the energy of the split any further";
+constexpr const char* descent_stalled_text =
+    text_to_say("stopped early: no step lowers the energy of the split any further");
 
 double largest_move(const Patch& before, const Points& after) {
   double move = 0;
@@ -29,7 +30,7 @@ void SplitDescent::fair(EvolvingPatch& patch, const CancelToken& cancel) {
   fairing_->step(patch, cancel);
   if (patch.status != PatchStatus::faired) return;
   fairing_.reset();
-  patch.stop(PatchStatus::ready, "");
+  patch.stop(PatchStatus::ready);
 }
 
 void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
@@ -39,14 +40,14 @@ void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
     problem_.emplace(patch.state.patch, estimate_, cancel);
     if (cancel.cancelled()) problem_.reset();  // it may be unfinished
   }
-  if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
+  if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, say("cancelled"));
   const SplitProblem::Outcome outcome = pays_ ? problem_->step(cancel) : SplitProblem::Outcome::ended;
   pays_ = outcome == SplitProblem::Outcome::moved;
   if (!pays_ && outcome != SplitProblem::Outcome::moved_little) return end(patch, outcome);
   const Points moved = problem_->patch_positions(cancel);
-  if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, "cancelled");
+  if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, say("cancelled"));
   if (moved.empty())
-    return patch.stop(PatchStatus::stalled, "stopped early: the noise could not be carried into the patch");
+    return patch.stop(PatchStatus::stalled, say("stopped early: the noise could not be carried into the patch"));
   take(patch, moved, watch.lap());
   ++steps_;
 }
@@ -54,10 +55,10 @@ void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
 /// Where Gauss-Newton has ended, J could still be lowered along its gradient. That is left on purpose: over 128 cut holes it came no
 /// closer to the truth.
 void SplitDescent::end(EvolvingPatch& patch, SplitProblem::Outcome outcome) const {
-  if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, "cancelled");
-  if (outcome == SplitProblem::Outcome::ended && steps_ > 0) return patch.stop(PatchStatus::early_stop, "");
-  if (steps_ > 0 || patch.history.empty()) return patch.stop(PatchStatus::stalled, descent_stalled_text);
-  patch.stop(PatchStatus::faired, "no step of the flow came below its fairings, which were kept");
+  if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, say("cancelled"));
+  if (outcome == SplitProblem::Outcome::ended && steps_ > 0) return patch.stop(PatchStatus::early_stop);
+  if (steps_ > 0 || patch.history.empty()) return patch.stop(PatchStatus::stalled, say(descent_stalled_text));
+  patch.stop(PatchStatus::faired, say("no step of the flow came below its fairings, which were kept"));
 }
 
 void SplitDescent::take(EvolvingPatch& patch, const Points& moved, double solve_seconds) {

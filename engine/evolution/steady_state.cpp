@@ -27,8 +27,9 @@ constexpr std::size_t most_stagnating_steps = 8;       ///< in a row
 constexpr double smooth_start = 0.02;                  ///< its energy by cubic fits, in that by quadratics
 constexpr double worn_growth = 1.05, worn_angle = 30;  ///< of the edges; smallest, degrees: a mesh beyond is remeshed
 constexpr const char* damped_text =
-    "stopped early: the flow has not converged, but only ever smaller steps lower the energy";
-constexpr const char* stalled_text = "stopped early: no further step lowers the energy without folding the patch";
+    text_to_say("stopped early: the flow has not converged, but only ever smaller steps lower the energy");
+constexpr const char* stalled_text =
+    text_to_say("stopped early: no further step lowers the energy without folding the patch");
 
 EvolutionState start_by_cubic_fits(const EvolvingPatch& patch) {
   return make_state(patch.start, patch.objective, Stencil::two_ring_cubic, nullptr, Fits::curvatures);
@@ -178,9 +179,9 @@ bool SteadyState::at_rest(EvolvingPatch& patch, bool undamped) {
     return false;
   }
   if (!undamped)
-    patch.stop(PatchStatus::stalled, damped_text);
+    patch.stop(PatchStatus::stalled, say(damped_text));
   else if (!use_cubic_fits(patch))
-    patch.stop(PatchStatus::converged, "");
+    patch.stop(PatchStatus::converged);
   return true;
 }
 
@@ -259,7 +260,7 @@ void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& can
     if (trial.move > 0 && trial.move < small_move) {
       // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
       const bool at_minimum = first || predicted < 1e-2 * energy_before || predicted < 1e-6 * start_measure_;
-      if (!at_minimum) return patch.stop(PatchStatus::stalled, stalled_text);
+      if (!at_minimum) return patch.stop(PatchStatus::stalled, say(stalled_text));
       if (at_rest(patch, undamped)) return;
       undamped = first = true;
       continue;
@@ -267,7 +268,7 @@ void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& can
     first = false;
     mu_ *= 10;
   }
-  if (!patch.stop_if(cancel)) patch.stop(PatchStatus::stalled, stalled_text);
+  if (!patch.stop_if(cancel)) patch.stop(PatchStatus::stalled, say(stalled_text));
 }
 
 }  // namespace loopmend

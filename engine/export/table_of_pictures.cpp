@@ -31,7 +31,7 @@ bool is_png_or_jpeg(const fs::path& path) {
 /// The pictures of a table, each once.
 class PictureList {
  public:
-  PictureList(MaterialTable& table, std::vector<std::string>& problems) : table_(table), problems_(problems) {}
+  PictureList(MaterialTable& table, std::vector<Message>& problems) : table_(table), problems_(problems) {}
 
   /// −1: it cannot be in the file, which is said once.
   int number_of(const fs::path& path) {
@@ -39,9 +39,9 @@ class PictureList {
     if (!is_new) return entry->second;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
-      problems_.push_back("The picture " + path_text(path) + " is not there, and not in the output.");
+      problems_.push_back(say("The picture %1 is not there, and not in the output.", path_text(path)));
     } else if (!is_png_or_jpeg(path)) {
-      problems_.push_back("The picture " + path_text(path) + " is neither PNG nor JPEG, and not in the output.");
+      problems_.push_back(say("The picture %1 is neither PNG nor JPEG, and not in the output.", path_text(path)));
     } else {
       entry->second = static_cast<int>(table_.pictures.size());
       ScanPicture picture;
@@ -54,7 +54,7 @@ class PictureList {
 
  private:
   MaterialTable& table_;
-  std::vector<std::string>& problems_;
+  std::vector<Message>& problems_;
   std::map<std::string, int> numbers_;
 };
 
@@ -73,7 +73,7 @@ FaceNames names_by_picture(const ScanAttributes& scan, const TextureFiles& files
 }  // namespace
 
 std::shared_ptr<const ScanAttributes> with_table_of_pictures(const ScanAttributes& scan,
-                                                             std::vector<std::string>& problems) {
+                                                             std::vector<Message>& problems) {
   if (scan.materials || (scan.format != "PLY" && scan.format != "OBJ")) return nullptr;
   const TextureFiles files(scan, scan.file.parent_path());
   if (files.ply_pictures().empty() && scan.material_libraries.empty()) return nullptr;
@@ -98,8 +98,8 @@ std::shared_ptr<const ScanAttributes> with_table_of_pictures(const ScanAttribute
     if (const std::optional<fs::path> path = files.picture_of(f)) material.picture = pictures.number_of(*path);
   }
   if (table->pictures.empty())  // else they are said where the pictures are painted on
-    for (const std::string& problem : files.problems())
-      problems.push_back("The scan's material file cannot be used: " + problem);
+    for (const Message& problem : files.problems())
+      problems.push_back(say("The scan's material file cannot be used: %1", problem));
   result->materials = std::move(table);
   result->format = "glTF";
   return result;

@@ -2,6 +2,7 @@
 // Pictures that PLY and OBJ name in files beside the scan, as materials that glTF has in its own file.
 #pragma once
 
+#include "core/message.h"
 #include "mesh/scan_attributes.h"
 
 #include <memory>
@@ -14,6 +15,6 @@ namespace loopmend {
 /// its picture. Null where the scan names no picture, or has a table already.
 /// @param problems  sentences are added: pictures that glTF cannot hold, and material files that cannot be read
 std::shared_ptr<const ScanAttributes> with_table_of_pictures(const ScanAttributes& scan,
-                                                             std::vector<std::string>& problems);
+                                                             std::vector<Message>& problems);
 
 }  // namespace loopmend

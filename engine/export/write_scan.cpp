@@ -81,7 +81,7 @@ class SideFiles {
       try {
         entry->second = files.read(path);
       } catch (const ReadError& error) {
-        written_.remarks.push_back(std::string("A picture of the scan's texture cannot be used: ") + error.what());
+        written_.remarks.push_back(say("A picture of the scan's texture cannot be used: %1", error.message()));
       }
     }
     return entry->second.empty() ? nullptr : &entry->second;
@@ -115,7 +115,7 @@ class SideFiles {
     written_.beside.push_back(to_ / path_of_text(name));
   }
 
-  void say(const std::string& remark) { written_.remarks.push_back(remark); }
+  void remark(const Message& remark) { written_.remarks.push_back(remark); }
 
  private:
   /// What the mesh at the output's place names that is replaced now: that was made for it.
@@ -141,19 +141,19 @@ class SideFiles {
   void copy(const fs::path& name) {
     const fs::path relative = name.lexically_normal();
     if (relative.is_absolute() || (!relative.empty() && *relative.begin() == "..")) {
-      say("The file " + path_text(name) + " is outside the scan's folder and was not copied.");
+      remark(say("The file %1 is outside the scan's folder and was not copied.", path_text(name)));
       return;
     }
     const fs::path source = from_ / relative, target = (to_ / relative).lexically_normal();
     std::error_code error;
     if (!copied_.insert(path_text(target)).second || !fs::is_regular_file(source, error)) return;
     const std::optional<std::string> content = bytes_of(source);
-    if (!content) return say("The file " + path_text(name) + " cannot be read and was not copied.");
+    if (!content) return remark(say("The file %1 cannot be read and was not copied.", path_text(name)));
     if (fs::exists(target, error)) {
       if (bytes_of(target) == content) return;
       throw WriteError(
-          target, "another file of this name is there already, which the scan's " + path_text(name) + " would replace",
-          "Choose another folder for the output, or --materials reference.");
+          target, say("another file of this name is there already, which the scan's %1 would replace", path_text(name)),
+          say("Choose another folder for the output, or --materials reference."));
     }
     if (target.has_parent_path()) outputs_.add_folder(target.parent_path());
     outputs_.add(target,
@@ -189,8 +189,8 @@ class ObjTexture : public Texture {
       : scan_(scan),
         files_(files),
         named_(scan, files.scan_folder()) {
-    for (const std::string& problem : named_.problems())
-      files.say("The scan's material file cannot be used: " + problem);
+    for (const Message& problem : named_.problems())
+      files.remark(say("The scan's material file cannot be used: %1", problem));
   }
 
   const Picture* picture_of(std::size_t face) override {
@@ -298,7 +298,7 @@ class GltfTexture : public Texture {
       : scan_(scan),
         files_(files),
         named_(scan, files.scan_folder()) {
-    for (const std::string& problem : named_.problems()) files.say(problem);
+    for (const Message& problem : named_.problems()) files.remark(problem);
   }
 
   const Picture* picture_of(std::size_t face) override {
@@ -311,7 +311,7 @@ class GltfTexture : public Texture {
     std::error_code ignored;
     for (const ScanPicture& picture : scan_.materials->pictures)
       if (!picture.path.empty() && !fs::is_regular_file(picture.path, ignored))
-        files_.say("The picture " + path_text(picture.path) + " is not there, and not in the output.");
+        files_.remark(say("The picture %1 is not there, and not in the output.", path_text(picture.path)));
   }
 
   void add_patches(const PaintedPatches& painted, std::size_t like_face, ScanAttributes& continued) override {
@@ -371,9 +371,10 @@ void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions&
         },
         *options.texture, cancel);
     if (painted.not_painted > 0)
-      written.remarks.push_back(std::to_string(painted.not_painted) +
-                                " new triangles have no texture: their patch cannot be laid out in a plane, or the "
-                                "picture would be too large.");
+      written.remarks.push_back(say(
+          "%1 new triangles have no texture: their patch cannot be laid out in a plane, or the picture would be too "
+          "large.",
+          painted.not_painted));
     if (!painted.picture.empty()) {
       written.painted = static_cast<std::size_t>(std::count(painted.is_painted.begin(), painted.is_painted.end(), 1));
       texture.add_patches(painted, like_face, *continued);
@@ -398,9 +399,10 @@ WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& 
       write_texture(*texture, soup, options, written, cancel);
   }
   if (options.new_faces == NewFaces::labelled && !mark_new_faces(path, soup))
-    written.remarks.push_back("STL and OFF have no label for new triangles: they are not told from others.");
+    written.remarks.push_back(say("STL and OFF have no label for new triangles: they are not told from others."));
   if (!options.expected_deviation.empty() && !label_expected_deviation(path, soup, options.expected_deviation))
-    written.remarks.push_back("Only PLY has room for the expected deviation of each vertex: it is not in the output.");
+    written.remarks.push_back(
+        say("Only PLY has room for the expected deviation of each vertex: it is not in the output."));
   // The rows of what is new stay valid: all of it comes along, in its order, or none.
   if (!options.written.empty()) soup = select_triangles(soup, options.written).soup;
   write_mesh(outputs, path, soup, options.encoding);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "io/atomic_file.h"
 #include "io/write_mesh.h"
 #include "mesh/triangle_soup.h"
@@ -42,7 +43,7 @@ struct WriteScanOptions {
 struct WrittenScan {
   std::vector<std::filesystem::path> beside;  ///< pictures and material files
   std::size_t painted = 0;                    ///< triangles of patches that a picture was painted for
-  std::vector<std::string> remarks;           ///< sentences: what is missing
+  std::vector<Message> remarks;               ///< sentences: what is missing
 };
 
 /// Makes the soup what is to be written. Makes its new rows (continue_attributes), paints its patches where the scan has a

@@ -47,18 +47,22 @@ std::vector<BridgeEnd> ends_of(const SurfaceModel& model, const std::vector<Boun
 }
 
 void check_loops(const std::vector<BoundaryLoop>& loops) {
-  if (loops.size() < 2) throw InvalidArgument("a blend needs at least two loops, not " + std::to_string(loops.size()));
+  if (loops.size() < 2) throw InvalidArgument(say("a blend needs at least two loops, not %1", loops.size()));
   std::set<std::pair<int, int>> edges;
   std::set<int> vertices;
   for (const BoundaryLoop& loop : loops) {
-    const std::string name = "loop " + std::to_string(loop.number);
-    if (loop.kind == LoopKind::crack || loop.kind == LoopKind::cut)
-      throw InvalidArgument(name + " is no hole but a " + to_string(loop.kind) + ": it cannot be joined to others");
-    if (!(loop.diameter > 0)) throw InvalidArgument("all vertices of " + name + " are in one place");
-    if (!edges.insert({loop.vertices[0], loop.vertices[1]}).second) throw InvalidArgument(name + " is named twice");
+    const Message name = say("loop %1", loop.number);
+    if (loop.kind == LoopKind::crack)
+      throw InvalidArgument(say("%1 is no hole but a crack: it cannot be joined to others", name));
+    if (loop.kind == LoopKind::cut)
+      throw InvalidArgument(say("%1 is no hole but a cut: it cannot be joined to others", name));
+    if (!(loop.diameter > 0)) throw InvalidArgument(say("all vertices of %1 are in one place", name));
+    if (!edges.insert({loop.vertices[0], loop.vertices[1]}).second)
+      throw InvalidArgument(say("%1 is named twice", name));
     for (int v : loop.vertices)
       if (!vertices.insert(v).second)
-        throw InvalidArgument(name + " touches another loop, or itself, at a vertex: it cannot be joined to others");
+        throw InvalidArgument(
+            say("%1 touches another loop, or itself, at a vertex: it cannot be joined to others", name));
   }
 }
 
@@ -256,14 +260,6 @@ double expected_vertices(const Patch& bridge, double density) {
   return area_of(bridge) / (0.866 * size * size);
 }
 
-std::string faults(const Validity& quality) {
-  std::string text;
-  if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
-  if (quality.intersections > 0)
-    text += (text.empty() ? "" : " and ") + std::to_string(quality.intersections) + " self-intersections";
-  return text;
-}
-
 }  // namespace
 
 std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
@@ -350,13 +346,14 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
     first.grading.density = options.density;
     const double vertices = expected_vertices(first, options.density);
     if (vertices > most_vertices) {
-      outcome.message = "the patch would need about " + std::to_string(static_cast<long>(vertices / 1e6)) +
-                        " million vertices: a lower density needs fewer";
+      outcome.message = joined(say("the patch would need about %1 million vertices", static_cast<long>(vertices / 1e6)),
+                               ": ", say("a lower density needs fewer"))
+                            .with_code("too_many_vertices");
       return outcome;
     }
     if (vertices > many_vertices && defect_count(patch_validity(first)) > tangled * first.patch_triangles) {
-      outcome.message =
-          "every first surface between these loops folds or cuts itself all over: a lower density may help";
+      outcome.message = joined(say("every first surface between these loops folds or cuts itself all over"), ": ",
+                               say("a lower density may help"));
       continue;
     }
     Start start(remeshed(first, cancel));
@@ -368,12 +365,13 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
     if (ready) break;
   }
   if (!best && !outcome.message.empty()) return outcome;
-  outcome.message.clear();
+  outcome.message = {};
   if (!best) {
-    outcome.message = "no surface that joins these loops was found: they do not face a common middle, nor each other";
+    outcome.message =
+        say("no surface that joins these loops was found: they do not face a common middle, nor each other");
     return outcome;
   }
-  if (defect_count(best->quality) > 0) outcome.message = "the bridge has " + faults(best->quality) + " left";
+  if (defect_count(best->quality) > 0) outcome.message = say("the bridge has %1 left", faults_of(best->quality));
   outcome.bridge = Bridge{membrane(best->patch, cancel), best->patch, best->quality, Bridge::Kind::smooth};
   return outcome;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "filling/loop_patch.h"
 #include "mesh/patch.h"
 
@@ -24,7 +25,7 @@ struct Bridge {
 
 struct BridgeOutcome {
   std::optional<Bridge> bridge;  ///< empty when none was found, or when cancelled
-  std::string message;           ///< why there is none, or what is left to wish; empty when all is well
+  Message message;               ///< why there is none, or what is left to wish; empty when all is well
 };
 
 /// Joins the loops by one surface without further boundaries: a tube between two, a pair of trousers between three, ... The

@@ -189,14 +189,13 @@ double bulge(const Points& points, const Points& corners, int pieces) {
 }  // namespace
 
 Points fair_closed_curve(const Points& corners, int pieces) {
-  if (corners.size() < 3)
-    throw InvalidArgument("a closed curve needs at least 3 points, not " + std::to_string(corners.size()));
+  if (corners.size() < 3) throw InvalidArgument(say("a closed curve needs at least 3 points, not %1", corners.size()));
   if (pieces < 1 || pieces > most_pieces)
-    throw InvalidArgument("a curve's side is divided into 1 to 256 pieces, not " + std::to_string(pieces));
+    throw InvalidArgument(say("a curve's side is divided into 1 to 256 pieces, not %1", pieces));
   double chord = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const double length = (corners[(k + 1) % corners.size()] - corners[k]).norm();
-    if (!(length > 0)) throw InvalidArgument("two neighbouring points of the curve lie in one place");
+    if (!(length > 0)) throw InvalidArgument(say("two neighbouring points of the curve lie in one place"));
     chord += length / static_cast<double>(corners.size());
   }
   Points scaled;

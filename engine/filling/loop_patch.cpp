@@ -345,21 +345,25 @@ bool closes_a_lone_triangle(const FillContext& context) {
          });
 }
 
-std::string reason_not_to_fill(const BoundaryLoop& loop) {
-  if (!(loop.diameter > 0)) return "all vertices of the loop are in one place";
+Message reason_not_to_fill(const BoundaryLoop& loop) {
+  if (!(loop.diameter > 0)) return say("all vertices of the loop are in one place").with_code("no_extent");
   switch (loop.kind) {
     case LoopKind::hole:
-    case LoopKind::outer_rim: return "";
+    case LoopKind::outer_rim: return {};
     case LoopKind::crack:
-      return loop.coincident < loop.edges()
-                 ? "a crack: a face at the same place covers it already"
-                 : "a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them; "
-                   "stitching joins them";
+      if (loop.coincident < loop.edges())
+        return say("a crack: a face at the same place covers it already").with_code("covered");
+      return joined(
+                 say("a crack: its edges lie exactly on other boundary edges, so that nothing is missing between them"),
+                 "; ", say("stitching joins them"))
+          .with_code("crack");
     case LoopKind::cut:
-      return "no hole: it runs where the surface had to be cut, along an edge with more than two faces or because the "
-             "surface is one-sided";
+      return say("no hole: it runs where the surface had to be cut, along an edge with more than two faces or because "
+                 "the surface is "
+                 "one-sided")
+          .with_code("cut");
   }
-  return "";
+  return {};
 }
 
 /// Vertices of equilateral triangles with the boundary's mean edge length over the loop's area.
@@ -383,26 +387,25 @@ ConstrainedRemesher::Watch watch_for(double most_vertices, const CancelToken& ca
 }
 
 /// "3 million", or the number as it is where it is smaller.
-std::string number_of(double vertices) {
-  if (!(vertices < 1e15)) return "far too many";
-  return vertices < 1e6 ? std::to_string(static_cast<long>(vertices))
-                        : std::to_string(static_cast<long>(vertices / 1e6)) + " million";
+Message number_of(double vertices) {
+  if (!(vertices < 1e15)) return say("far too many");
+  return vertices < 1e6 ? verbatim(std::to_string(static_cast<long>(vertices)))
+                        : say("%1 million", static_cast<long>(vertices / 1e6));
 }
 
-std::string why_no_triangulation(const FillContext& context) {
+Message why_no_triangulation(const FillContext& context) {
   int without_length = 0;
   for (int i = 0; i < context.n; ++i) without_length += context.points[i] == context.points[(i + 1) % context.n];
   if (without_length > 0)
-    return std::to_string(without_length) + " edges of this loop have no length; welding their vertices would help";
-  return "no valid triangulation of this loop was found";
+    return joined(say("%1 edges of this loop have no length", without_length), "; ",
+                  say("welding their vertices would help"))
+        .with_code("edges_without_length");
+  return say("no valid triangulation of this loop was found").with_code("no_triangulation");
 }
 
-std::string remaining_faults(const Validity& quality) {
-  std::string text;
-  if (quality.folds > 0) text += std::to_string(quality.folds) + " folded edges";
-  if (quality.intersections > 0)
-    text += (text.empty() ? "" : " and ") + std::to_string(quality.intersections) + " self-intersections";
-  return text.empty() ? text : "the initial patch has " + text + " left";
+Message remaining_faults(const Validity& quality) {
+  const Message faults = faults_of(quality);
+  return faults.empty() ? faults : say("the initial patch has %1 left", faults);
 }
 
 LoopPatchOutcome finished(const SurfaceModel& model, const BoundaryLoop& loop, const FillContext& context,
@@ -419,7 +422,7 @@ LoopPatchOutcome finished(const SurfaceModel& model, const BoundaryLoop& loop, c
 
 void check(const InitialPatchOptions& options) {
   if (!(options.density >= 0.1 && options.density <= 10))
-    throw InvalidArgument("the density must lie between 0.1 and 10, not " + std::to_string(options.density));
+    throw InvalidArgument(say("the density must lie between 0.1 and 10, not %1", options.density));
 }
 
 LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, const InitialPatchOptions& options,
@@ -430,12 +433,14 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   if (!outcome.message.empty()) return outcome;
   FillContext context = make_context(model, loop);
   if (closes_a_lone_triangle(context)) {
-    outcome.message = "the loop is the boundary of a single triangle";
+    outcome.message = say("the loop is the boundary of a single triangle").with_code("lone_triangle");
     return outcome;
   }
   const double vertices = expected_vertices(context, loop, options.density);
   if (vertices > options.most_vertices) {
-    outcome.message = "the patch would need about " + number_of(vertices) + " vertices: a lower density needs fewer";
+    outcome.message = joined(say("the patch would need about %1 vertices", number_of(vertices)), ": ",
+                             say("a lower density needs fewer"))
+                          .with_code("too_many_vertices");
     return outcome;
   }
   context.watch = watch_for(options.most_vertices + context.n, cancel);
@@ -456,8 +461,9 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   } catch (const Cancelled&) {
     return outcome;
   } catch (const TooManyVertices&) {
-    outcome.message =
-        "the patch would need more than " + number_of(options.most_vertices) + " vertices: a lower density needs fewer";
+    outcome.message = joined(say("the patch would need more than %1 vertices", number_of(options.most_vertices)), ": ",
+                             say("a lower density needs fewer"))
+                          .with_code("too_many_vertices");
     return outcome;
   }
   if (cancel.cancelled()) return outcome;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "mesh/patch.h"
 #include "mesh/self_intersections.h"
 #include "mesh/validity.h"
@@ -28,7 +29,7 @@ void check(const InitialPatchOptions& options);
 
 struct LoopPatchOutcome {
   std::optional<LoopPatch> patch;  ///< empty when there is no valid triangulation, or when cancelled
-  std::string message;             ///< why there is none, or what is left to wish; empty when all is well
+  Message message;                 ///< why there is none, or what is left to wish; empty when all is well
   Validity quality;
 };
 

@@ -82,32 +82,33 @@ void check_flatness(const Points& points) {
   for (const Vec3& p : points) covariance += (p - mean) * (p - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
   if (!(eigen.eigenvalues()[0] > 1e-12 * eigen.eigenvalues()[2]))
-    throw InvalidArgument("all vertices of the polyhedron lie in one plane: there is no surface to find between them");
+    throw InvalidArgument(
+        say("all vertices of the polyhedron lie in one plane: there is no surface to find between them"));
 }
 
 void check_polyhedron(const SurfaceModel& polyhedron, const SubdivisionOptions& options) {
   if (options.subdivisions < 1 || options.subdivisions > 8)
-    throw InvalidArgument("the number of subdivisions must lie between 1 and 8, not " +
-                          std::to_string(options.subdivisions));
+    throw InvalidArgument(say("the number of subdivisions must lie between 1 and 8, not %1", options.subdivisions));
   const std::size_t count = polyhedron.mesh.n_vertices();
   if (count < least_vertices)
-    throw InvalidArgument("the polyhedron has " + std::to_string(count) +
-                          " vertices: too few for a surface, at least 4 are needed");
+    throw InvalidArgument(say("the polyhedron has %1 vertices: too few for a surface, at least 4 are needed", count));
   const ModelRepairs& repairs = polyhedron.repairs;
   if (repairs.non_manifold_edges + repairs.non_manifold_vertices + repairs.degenerate_faces + repairs.duplicate_faces >
       0)
     throw InvalidArgument(
-        "the polyhedron is no simple surface: edges with more than two faces, faces that meet at a vertex alone, or "
-        "faces that are double or without area. Repair it first.");
+        say("the polyhedron is no simple surface: edges with more than two faces, faces that meet at a vertex alone, "
+            "or faces that are double or without area. Repair it first."));
   const std::size_t faces = polyhedron.mesh.n_faces();
   if ((faces << (2 * options.subdivisions)) > most_triangles)
-    throw InvalidArgument("the subdivided polyhedron would have more than 4 million triangles: fewer subdivisions do");
+    throw InvalidArgument(
+        say("the subdivided polyhedron would have more than 4 million triangles: fewer subdivisions do"));
   const std::vector<BoundaryLoop> boundaries = find_boundary_loops(polyhedron);
   if (options.boundary == PolyhedronBoundary::refuse && !boundaries.empty())
-    throw InvalidArgument("the polyhedron has " + std::to_string(boundaries.size()) +
-                          (boundaries.size() == 1 ? " hole" : " holes") + ", the largest with " +
-                          std::to_string(boundaries.front().edges()) +
-                          " edges: close it, or let its boundary loops become smooth curves (--open)");
+    throw InvalidArgument(joined(boundaries.size() == 1
+                                     ? say("the polyhedron has 1 hole with %1 edges", boundaries.front().edges())
+                                     : say("the polyhedron has %1 holes, the largest with %2 edges", boundaries.size(),
+                                           boundaries.front().edges()),
+                                 ": ", say("close it, or let its boundary loops become smooth curves (--open)")));
 }
 
 /// Which view vertices are interpolated.
@@ -116,15 +117,15 @@ std::vector<char> fixed_vertices(const SurfaceModel& polyhedron, const Subdivisi
   const std::set<int> wanted(options.fixed.begin(), options.fixed.end());
   for (int v : wanted)
     if (v < 0 || v >= static_cast<int>(polyhedron.soup.points.size()))
-      throw InvalidArgument("vertex " + std::to_string(v) + " is to be fixed, but the vertices are 0 to " +
-                            std::to_string(polyhedron.soup.points.size() - 1));
+      throw InvalidArgument(
+          say("vertex %1 is to be fixed, but the vertices are 0 to %2", v, polyhedron.soup.points.size() - 1));
   std::size_t count = 0;
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (wanted.count(polyhedron.soup_vertex[i])) fixed[i] = 1;
     count += fixed[i] != 0;
   }
   if (count < least_vertices)
-    throw InvalidArgument(std::to_string(count) + " fixed vertices are too few for a surface: at least 4 are needed");
+    throw InvalidArgument(say("%1 fixed vertices are too few for a surface: at least 4 are needed", count));
   return fixed;
 }
 

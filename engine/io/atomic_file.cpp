@@ -85,25 +85,25 @@ std::string reason_text(int reason) { return std::generic_category().message(rea
 /// As a value of errno.
 int reason_of(const std::error_code& error) { return error.default_error_condition().value(); }
 
-std::string cure_for(int reason) {
+Message cure_for(int reason) {
   switch (reason) {
 #ifdef EDQUOT
     case EDQUOT:
 #endif
-    case ENOSPC: return "Make room on the disk, or choose another place.";
-    case EFBIG: return "The file would be larger than is allowed here; choose another place.";
+    case ENOSPC: return say("Make room on the disk, or choose another place.");
+    case EFBIG: return say("The file would be larger than is allowed here; choose another place.");
     case EACCES:
-    case EPERM: return "Choose a folder in which you may write.";
-    case EROFS: return "This disk can only be read; choose another place.";
+    case EPERM: return say("Choose a folder in which you may write.");
+    case EROFS: return say("This disk can only be read; choose another place.");
     case ENOENT:
-    case ENOTDIR: return "Create the folder first, or choose another one.";
-    case ENAMETOOLONG: return "Choose a shorter name.";
-    default: return "Choose another place.";
+    case ENOTDIR: return say("Create the folder first, or choose another one.");
+    case ENAMETOOLONG: return say("Choose a shorter name.");
+    default: return say("Choose another place.");
   }
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, int reason) {
-  throw WriteError(path, what + ": " + reason_text(reason), cure_for(reason));
+[[noreturn]] void fail(const std::filesystem::path& path, const Message& what, int reason) {
+  throw WriteError(path, say("%1: %2", what, reason_text(reason)), cure_for(reason));
 }
 
 /// Bytes to a file descriptor; remembers the first error, which an ostream by itself would not tell.
@@ -149,14 +149,14 @@ class DescriptorBuffer : public std::streambuf {
 std::filesystem::path follow_links(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path target = std::filesystem::absolute(path, error);
-  if (error) fail(path, "cannot be written", reason_of(error));
+  if (error) fail(path, say("cannot be written"), reason_of(error));
   for (int step = 0; step < 40; ++step) {
     if (!std::filesystem::is_symlink(std::filesystem::symlink_status(target, error))) return target;
     const std::filesystem::path link = std::filesystem::read_symlink(target, error);
-    if (error) fail(path, "cannot be written", reason_of(error));
+    if (error) fail(path, say("cannot be written"), reason_of(error));
     target = link.is_absolute() ? link : target.parent_path() / link;
   }
-  fail(path, "cannot be written", ELOOP);
+  fail(path, say("cannot be written"), ELOOP);
 }
 
 /// Whether a file stands at the target now. @throws WriteError if it cannot be replaced.
@@ -164,14 +164,14 @@ bool has_file(const std::filesystem::path& path, const std::filesystem::path& ta
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(target, error);
   if (reason_of(error) == ENOENT) return false;
-  if (!std::filesystem::exists(status)) fail(path, "cannot be written", reason_of(error));
+  if (!std::filesystem::exists(status)) fail(path, say("cannot be written"), reason_of(error));
   if (std::filesystem::is_directory(status))
-    throw WriteError(path, "is a folder, not a file", "Choose a file name inside it.");
+    throw WriteError(path, say("is a folder, not a file"), say("Choose a file name inside it."));
   if (!std::filesystem::is_regular_file(status))
-    throw WriteError(path, "is not a regular file", "Choose another name.");
+    throw WriteError(path, say("is not a regular file"), say("Choose another name."));
   // Renaming over a write-protected file would succeed; the protection was meant, though.
   if (!may_write(target))
-    throw WriteError(path, "the file is write-protected: " + reason_text(errno), "Save under another name.");
+    throw WriteError(path, say("the file is write-protected: %1", reason_text(errno)), say("Save under another name."));
   return true;
 }
 
@@ -237,7 +237,7 @@ class TemporaryFile {
         name_(temporary_name(folder)),
         registration_(path_text(name_), path_text(path)) {
     descriptor_ = open_new_file(name_, readers);
-    if (descriptor_ < 0) fail(path_, "cannot be written in this folder", errno);
+    if (descriptor_ < 0) fail(path_, say("cannot be written in this folder"), errno);
   }
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -250,22 +250,23 @@ class TemporaryFile {
   int descriptor() const { return descriptor_; }
 
   void take_properties_of(const std::filesystem::path& target) const {
-    if (const int reason = take_properties(descriptor_, target); reason != 0) fail(path_, "cannot be written", reason);
+    if (const int reason = take_properties(descriptor_, target); reason != 0)
+      fail(path_, say("cannot be written"), reason);
   }
 
   /// Everything is on the disk when this returns; a full disk may tell only now.
   void finish() {
-    if (flush_to_disk(descriptor_) != 0) fail(path_, "cannot be written", errno);
+    if (flush_to_disk(descriptor_) != 0) fail(path_, say("cannot be written"), errno);
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
-    if (closed != 0) fail(path_, "cannot be written", errno);
+    if (closed != 0) fail(path_, say("cannot be written"), errno);
   }
 
   void rename_to(const std::filesystem::path& target) {
     registration_.become(KnownFile::in_transit);
     if (const std::error_code error = replace_file(name_, target); error) {
       registration_.become(KnownFile::unfinished);
-      fail(path_, "cannot be replaced", reason_of(error));
+      fail(path_, say("cannot be replaced"), reason_of(error));
     }
     renamed_ = true;
     registration_.become(KnownFile::in_place);
@@ -287,7 +288,7 @@ struct PreparedFile {
 };
 
 void require_file_name(const std::filesystem::path& path) {
-  if (!path.has_filename()) throw WriteError(path, "is not a file name", "Choose a file name.");
+  if (!path.has_filename()) throw WriteError(path, say("is not a file name"), say("Choose a file name."));
 }
 
 PreparedFile prepare(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
@@ -304,8 +305,8 @@ PreparedFile prepare(const std::filesystem::path& path, const std::function<void
   std::ostream stream(&buffer);
   write(stream);
   stream.flush();
-  if (buffer.error() != 0) fail(path, "cannot be written", buffer.error());
-  if (!stream) throw WriteError(path, "cannot be written", "Choose another place.");
+  if (buffer.error() != 0) fail(path, say("cannot be written"), buffer.error());
+  if (!stream) throw WriteError(path, say("cannot be written"), say("Choose another place."));
   prepared.file->finish();
   return prepared;
 }
@@ -359,8 +360,10 @@ void OutputTransaction::add_folder(const std::filesystem::path& path) {
   auto folder = std::make_unique<NewFolder>(path);
   if (!std::filesystem::create_directory(path, error)) {
     folder->keep();  // it is not ours
-    throw WriteError(path, "cannot be made a folder: " + (error ? error.message() : "a file is there"),
-                     "Choose another name.");
+    throw WriteError(
+        path,
+        error ? say("cannot be made a folder: %1", error.message()) : say("cannot be made a folder: a file is there"),
+        say("Choose another name."));
   }
   impl_->folders.push_back(std::move(folder));
 }

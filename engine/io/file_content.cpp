@@ -20,12 +20,12 @@ namespace {
 
 [[noreturn]] void fail_open(const std::filesystem::path& path, int reason) {
   if (reason == ENOENT || reason == ENOTDIR) {
-    throw ReadError(path, "there is no such file", "", "Check the spelling and the folder.");
+    throw ReadError(path, say("there is no such file"), {}, say("Check the spelling and the folder."));
   }
   if (reason == EACCES || reason == EPERM) {
-    throw ReadError(path, "no permission to read this file", "", "Change its permissions, or read a copy.");
+    throw ReadError(path, say("no permission to read this file"), {}, say("Change its permissions, or read a copy."));
   }
-  throw ReadError(path, "cannot be read: " + std::generic_category().message(reason), "", "");
+  throw ReadError(path, say("cannot be read: %1", std::generic_category().message(reason)), {}, {});
 }
 
 /// Before it is opened: to open a pipe would wait for ever.
@@ -34,9 +34,9 @@ void require_regular_file(const std::filesystem::path& path) {
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) fail_open(path, error.default_error_condition().value());
   if (std::filesystem::is_directory(status))
-    throw ReadError(path, "is a folder, not a file", "", "Choose a file inside it.");
+    throw ReadError(path, say("is a folder, not a file"), {}, say("Choose a file inside it."));
   if (!std::filesystem::is_regular_file(status))
-    throw ReadError(path, "is not a regular file", "", "Copy its content to a file first.");
+    throw ReadError(path, say("is not a regular file"), {}, say("Copy its content to a file first."));
 }
 
 bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
@@ -62,11 +62,12 @@ void refuse_known_strangers(const FileContent& file) {
   using namespace std::string_view_literals;
   const std::string_view bytes = file.bytes;
   if (starts_with(bytes, "version https://git-lfs.github.com/"sv)) {
-    throw ReadError(file.path, "this is a Git LFS pointer, not the mesh itself", "",
-                    "Run `git lfs pull` in its repository to fetch the mesh.");
+    throw ReadError(file.path, say("this is a Git LFS pointer, not the mesh itself"), {},
+                    say("Run `git lfs pull` in its repository to fetch the mesh."));
   }
   if (looks_like_utf16(bytes)) {
-    throw ReadError(file.path, "the text is encoded as UTF-16", "byte 0", "Save it as UTF-8 or plain ASCII.");
+    throw ReadError(file.path, say("the text is encoded as UTF-16"), say("byte 0"),
+                    say("Save it as UTF-8 or plain ASCII."));
   }
 }
 
@@ -140,7 +141,8 @@ FileContent load_bytes(const std::filesystem::path& path) {
   stream.read(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
   if (stream.bad()) fail_open(path, errno);
   file.bytes.resize(static_cast<std::size_t>(stream.gcount()));  // it may have shrunk: judged like any other file
-  if (file.bytes.empty()) throw ReadError(path, "the file is empty (0 bytes)", "", "Export or copy the mesh again.");
+  if (file.bytes.empty())
+    throw ReadError(path, say("the file is empty (0 bytes)"), {}, say("Export or copy the mesh again."));
   return file;
 }
 
@@ -152,8 +154,8 @@ FileContent load_file(const std::filesystem::path& path) {
 
 namespace {
 
-[[noreturn]] void refuse_beginning(const FileContent& file, const std::string& what) {
-  throw ReadError(file.path, what, "byte 0", "The file is damaged or is something else under this name.");
+[[noreturn]] void refuse_beginning(const FileContent& file, const Message& what) {
+  throw ReadError(file.path, what, say("byte 0"), say("The file is damaged or is something else under this name."));
 }
 
 /// Of a file whose first word does not tell it.
@@ -161,17 +163,17 @@ MeshFormat format_by_extension(const FileContent& file, std::string_view text, s
   const std::string extension = lower_extension(file.path);
   if (extension == ".stl" && !is_obj_keyword(first)) {
     if (looks_binary(text)) return MeshFormat::stl_binary;
-    refuse_beginning(file, "does not begin with \"solid\" as text STL files do, and is not binary");
+    refuse_beginning(file, say("does not begin with \"solid\" as text STL files do, and is not binary"));
   }
   if (extension == ".off" && !first.empty() && first.find_first_not_of("0123456789") == std::string_view::npos)
     return MeshFormat::off;  // the keyword is optional in this format
   if (extension == ".obj" || is_obj_keyword(first)) return MeshFormat::obj;
-  if (extension == ".ply") refuse_beginning(file, "does not begin with \"ply\" as every PLY file does");
-  if (extension == ".3mf") refuse_beginning(file, "does not begin as 3MF files do");
-  if (extension == ".glb" || extension == ".gltf") refuse_beginning(file, "does not begin as glTF files do");
-  if (extension == ".off") refuse_beginning(file, "does not begin with \"OFF\" as OFF files do");
-  throw ReadError(file.path, "this is not a mesh format that Loopmend knows", "",
-                  "It reads PLY, STL, OBJ, OFF, glTF and 3MF files.");
+  if (extension == ".ply") refuse_beginning(file, say("does not begin with \"ply\" as every PLY file does"));
+  if (extension == ".3mf") refuse_beginning(file, say("does not begin as 3MF files do"));
+  if (extension == ".glb" || extension == ".gltf") refuse_beginning(file, say("does not begin as glTF files do"));
+  if (extension == ".off") refuse_beginning(file, say("does not begin with \"OFF\" as OFF files do"));
+  throw ReadError(file.path, say("this is not a mesh format that Loopmend knows"), {},
+                  say("It reads PLY, STL, OBJ, OFF, glTF and 3MF files."));
 }
 
 }  // namespace

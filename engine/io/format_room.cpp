@@ -61,25 +61,24 @@ int name_of(const FaceNames& names, const AttributeRow& row) {
 namespace {
 
 /// What a column holds, in words. Columns that belong together share theirs.
-std::string words_for(const std::string& element, const AttributeColumn& column, const std::string& format) {
+Message column_said(bool of_faces, const AttributeColumn& column, const std::string& format) {
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), column.name()) != names.end();
   };
-  const bool of_faces = element == "face";
-  if (role_of(column.name()) == AttributeRole::normal) return of_faces ? "face normals" : "normals";
+  if (role_of(column.name()) == AttributeRole::normal) return of_faces ? say("face normals") : say("normals");
   if (is_one_of({"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"}))
-    return of_faces ? "texture coordinates of faces" : "texture coordinates";
+    return of_faces ? say("texture coordinates of faces") : say("texture coordinates");
   if (of_faces && (role_of(column.name()) == AttributeRole::color || (format == "OFF" && column.name() == "color")))
-    return "face colours";
-  if (of_faces && format == "STL") return "face attributes";
-  return element + " properties \"" + column.name() + "\"";
+    return say("face colours");
+  if (of_faces && format == "STL") return say("face attributes");
+  return of_faces ? say("face properties \"%1\"", column.name()) : say("vertex properties \"%1\"", column.name());
 }
 
-const char* words_for_names(std::string_view keyword) {
-  if (keyword == "usemtl") return "materials";
-  if (keyword == "o") return "objects";
-  if (keyword == "s") return "smoothing groups";
-  return keyword == "solid" ? "separate solids" : "groups";
+Message names_said(std::string_view keyword) {
+  if (keyword == "usemtl") return say("materials");
+  if (keyword == "o") return say("objects");
+  if (keyword == "s") return say("smoothing groups");
+  return keyword == "solid" ? say("separate solids") : say("groups");
 }
 
 /// What a file has room for; without a format, nothing.
@@ -126,21 +125,23 @@ bool holds_names(const Room& room, const TriangleSoup& soup, std::string_view ke
 
 void add_table(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup) {
   const ScanAttributes& scan = attributes_of(soup);
-  if (scan.materials && !room.is_gltf()) count_not_kept(list, "pictures of materials", scan.materials->pictures.size());
-  if (scan.materials && !room.is(Format::three_mf)) count_not_kept(list, "metadata", scan.materials->metadata.size());
+  if (scan.materials && !room.is_gltf())
+    count_not_kept(list, say("pictures of materials"), scan.materials->pictures.size());
+  if (scan.materials && !room.is(Format::three_mf))
+    count_not_kept(list, say("metadata"), scan.materials->metadata.size());
   const bool has_unit = room.is(Format::three_mf) || (room.is_gltf() && scan.unit == "meter");
   // Of a scan in metres nothing is lost but the word.
-  if (!scan.unit.empty() && !has_unit && scan.unit != "meter") count_not_kept(list, "unit (" + scan.unit + ")");
+  if (!scan.unit.empty() && !has_unit && scan.unit != "meter") count_not_kept(list, say("unit (%1)", scan.unit));
 }
 
 void add_columns(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup, bool of_faces) {
   const ScanAttributes& scan = attributes_of(soup);
   std::set<std::string> known;
-  for (const NotKept& entry : list) known.insert(entry.what);
+  for (const NotKept& entry : list) known.insert(entry.what.english());
   for (const AttributeColumn& column : of_faces ? scan.faces : scan.points) {
     if (holds(room, soup, of_faces, column)) continue;
-    const std::string words = words_for(of_faces ? "face" : "vertex", column, scan.format);
-    if (column.rows() > 0 && known.insert(words).second) list.push_back({words, column.rows()});
+    const Message what = column_said(of_faces, column, scan.format);
+    if (column.rows() > 0 && known.insert(what.english()).second) list.push_back({what, column.rows()});
   }
 }
 
@@ -159,14 +160,14 @@ void add_remarks(std::vector<NotKept>& list, const Room& room, const ScanAttribu
       ++pictures;
     else if (remark != remark_of_loopmend)
       ++comments;
-  if (!room.is_gltf()) count_not_kept(list, "pictures", pictures);
-  count_not_kept(list, "comments", comments);
+  if (!room.is_gltf()) count_not_kept(list, say("pictures"), pictures);
+  count_not_kept(list, say("comments"), comments);
 }
 
 /// Programs write their names there; some write the colour of the part.
 void add_header(std::vector<NotKept>& list, const Room& room, const ScanAttributes& scan) {
   const bool kept = room.is(Format::stl) && room.encoding == Encoding::binary;
-  if (!kept && scan.header.find("COLOR=") != std::string::npos) count_not_kept(list, "colour of the part");
+  if (!kept && scan.header.find("COLOR=") != std::string::npos) count_not_kept(list, say("colour of the part"));
 }
 
 void add_attributes(std::vector<NotKept>& list, const Room& room, const TriangleSoup& soup) {
@@ -175,20 +176,20 @@ void add_attributes(std::vector<NotKept>& list, const Room& room, const Triangle
   add_columns(list, room, soup, true);
   const bool obj = room.is(Format::obj), ply = room.is(Format::ply), gltf = room.is_gltf();
   if (!obj && !gltf && !(ply && writes_texture(scan)))
-    count_not_kept(list, "texture coordinates", scan.texture.count());
-  if (!obj && !gltf) count_not_kept(list, "normals", scan.normals.count());
+    count_not_kept(list, say("texture coordinates"), scan.texture.count());
+  if (!obj && !gltf) count_not_kept(list, say("normals"), scan.normals.count());
   for (const FaceNames& names : scan.names) {
     const std::size_t count = count_names(names);
     if (!holds_names(room, soup, names.keyword) && !(names.keyword == "solid" && count <= 1))
-      count_not_kept(list, words_for_names(names.keyword), count);
+      count_not_kept(list, names_said(names.keyword), count);
   }
   add_table(list, room, soup);
   add_remarks(list, room, scan);
   add_header(list, room, scan);
-  if (!obj) count_not_kept(list, "material libraries", scan.material_libraries.size());
+  if (!obj) count_not_kept(list, say("material libraries"), scan.material_libraries.size());
   if (!(ply && keeps_elements(soup)))
     for (const OtherElement& element : scan.elements)
-      if (element.rows > 0) list.push_back({"elements \"" + element.name + "\"", element.rows});
+      if (element.rows > 0) list.push_back({say("elements \"%1\"", element.name), element.rows});
 }
 
 }  // namespace
@@ -200,15 +201,16 @@ std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const
   if (format == Format::obj) {
     const auto see_through = [](const Color& color) { return color[3] != 255; };
     const auto count = std::count_if(soup.colors.begin(), soup.colors.end(), see_through);
-    count_not_kept(list, "alpha values", static_cast<std::size_t>(count));
+    count_not_kept(list, say("alpha values"), static_cast<std::size_t>(count));
   }
   const bool gltf = format == Format::glb || format == Format::gltf;
   if (format == Format::stl || gltf) {
     std::vector<char> used(soup.points.size(), 0);
     for (const Triangle& triangle : soup.triangles)
       for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
-    if (!gltf) count_not_kept(list, "vertex colours", soup.colors.size());
-    count_not_kept(list, "vertices without faces", static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));
+    if (!gltf) count_not_kept(list, say("vertex colours"), soup.colors.size());
+    count_not_kept(list, say("vertices without faces"),
+                   static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));
   }
   add_attributes(list, {format, encoding}, soup);
   return list;

@@ -48,9 +48,9 @@ bool is_of_other_coordinates(const Json& reference) {
          (transform && is_other(GltfDocument::find(*transform, "texCoord")));
 }
 
-ScanPicture read_picture_entry(GltfDocument& document, const Json& image, const std::string& place) {
+ScanPicture read_picture_entry(GltfDocument& document, const Json& image, const Message& place) {
   ScanPicture picture;
-  if (!image.is_object()) document.errors().fail("a picture is no object", place);
+  if (!image.is_object()) document.errors().fail(say("a picture is no object"), place);
   picture.name = GltfDocument::text(image, "name");
   picture.kind = GltfDocument::text(image, "mimeType");
   if (const std::optional<std::size_t> view = document.whole(image, "bufferView", place)) {
@@ -63,13 +63,13 @@ ScanPicture read_picture_entry(GltfDocument& document, const Json& image, const 
       picture.problem = document.find_beside(name, picture.path);
     if (picture.name.empty() && !picture.path.empty()) picture.name = path_text(picture.path.filename());
   }
-  if (picture.bytes.empty() && picture.path.empty() && picture.problem.empty()) picture.problem = "there are no data";
-  if (!picture.problem.empty())
-    picture.problem = "The " + place + " of the scan cannot be used: " + picture.problem + ".";
+  if (picture.bytes.empty() && picture.path.empty() && picture.problem.empty())
+    picture.problem = say("there are no data");
+  if (!picture.problem.empty()) picture.problem = say("The %1 of the scan cannot be used: %2.", place, picture.problem);
   return picture;
 }
 
-std::optional<Color> base_color(const GltfDocument& document, const Json& pbr, const std::string& place) {
+std::optional<Color> base_color(const GltfDocument& document, const Json& pbr, const Message& place) {
   const Json& factor = document.list(pbr, "baseColorFactor", place);
   if (factor.size() != 4) return {};
   Color color{};
@@ -81,7 +81,7 @@ std::optional<Color> base_color(const GltfDocument& document, const Json& pbr, c
 }
 
 /// The picture of a material's colour; −1: none that can be shown as it is.
-int base_picture(const GltfDocument& document, const Json& pbr, std::size_t pictures, const std::string& place) {
+int base_picture(const GltfDocument& document, const Json& pbr, std::size_t pictures, const Message& place) {
   const Json* reference = GltfDocument::find(pbr, "baseColorTexture");
   if (!reference || transform_of(*reference)) return -1;
   const std::optional<std::size_t> texture = document.whole(*reference, "index", place);
@@ -163,24 +163,24 @@ std::shared_ptr<const MaterialTable> read_gltf_materials(GltfDocument& document,
       if (name.is_string() && name != "KHR_mesh_quantization") required.push_back(name);
     const Json& images = document.list("images");
     for (std::size_t k = 0; k < images.size(); ++k)
-      table->pictures.push_back(read_picture_entry(document, images[k], "picture " + std::to_string(k)));
+      table->pictures.push_back(read_picture_entry(document, images[k], say("picture %1", k)));
   }
   std::size_t others = 0;
   for (std::size_t k = 0; k < materials.size(); ++k) {
-    const std::string place = "material " + std::to_string(k);
-    Json material = document.element("materials", k, "materials");
+    const Message place = say("material %1", k);
+    Json material = document.element("materials", k, say("materials"));
     others += remove_references(material, is_of_other_coordinates);
     ScanMaterial& mine = table->materials.emplace_back();
     mine.name = GltfDocument::text(material, "name");
     if (mine.name.empty()) mine.name = "material_" + std::to_string(k);
     if (const Json* pbr = GltfDocument::find(material, "pbrMetallicRoughness")) {
-      if (!pbr->is_object()) document.errors().fail("\"pbrMetallicRoughness\" is no object", place);
+      if (!pbr->is_object()) document.errors().fail(say("\"pbrMetallicRoughness\" is no object"), place);
       mine.color = base_color(document, *pbr, place);
       mine.picture = base_picture(document, *pbr, table->pictures.size(), place);
     }
     mine.source = material.dump();
   }
-  count_not_kept(not_kept, "pictures of materials at further texture coordinates", others);
+  count_not_kept(not_kept, say("pictures of materials at further texture coordinates"), others);
   table->source = source.dump();
   return table;
 }

@@ -44,12 +44,12 @@ class NodeWalk {
     Eigen::Matrix4d parent;
   };
 
-  std::vector<std::size_t> indices(const Json& object, const char* name, const std::string& place) const {
+  std::vector<std::size_t> indices(const Json& object, const char* name, const Message& place) const {
     std::vector<std::size_t> result;
     for (const Json& value : document_.list(object, name, place)) {
       const double number = document_.number(value, place);
       if (!(number >= 0) || number >= static_cast<double>(nodes_.size()))
-        document_.errors().fail("names a node that is not there, " + value.dump(), place);
+        document_.errors().fail(say("names a node that is not there, %1", value.dump()), place);
       result.push_back(static_cast<std::size_t>(number));
     }
     return result;
@@ -57,8 +57,8 @@ class NodeWalk {
 
   std::vector<std::size_t> scene_roots() const {
     if (const Json& scenes = document_.list("scenes"); !scenes.empty()) {
-      const std::size_t scene = document_.whole(document_.root(), "scene", "the file").value_or(0);
-      return indices(document_.element("scenes", scene, "the file"), "nodes", "scene " + std::to_string(scene));
+      const std::size_t scene = document_.whole(document_.root(), "scene", say("the file")).value_or(0);
+      return indices(document_.element("scenes", scene, say("the file")), "nodes", say("scene %1", scene));
     }
     std::vector<char> is_child(nodes_.size(), 0);
     for (std::size_t k = 0; k < nodes_.size(); ++k)
@@ -66,15 +66,15 @@ class NodeWalk {
     std::vector<std::size_t> roots;
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       if (!is_child[k]) roots.push_back(k);
-    if (roots.empty()) document_.errors().fail("the nodes go round in circles", "nodes");
+    if (roots.empty()) document_.errors().fail(say("the nodes go round in circles"), say("nodes"));
     return roots;
   }
 
-  static std::string place_of(std::size_t node) { return "node " + std::to_string(node); }
+  static Message place_of(std::size_t node) { return say("node %1", node); }
 
   void visit(const Open& open) {
-    const std::string place = place_of(open.node);
-    if (seen_[open.node]++) document_.errors().fail("is reached twice: the nodes of glTF are a tree", place);
+    const Message place = place_of(open.node);
+    if (seen_[open.node]++) document_.errors().fail(say("is reached twice: the nodes of glTF are a tree"), place);
     const Json& node = document_.element("nodes", open.node, place);
     const Eigen::Matrix4d own = matrix(node, place);
     const bool is_placed = !own.isIdentity(0);
@@ -88,22 +88,21 @@ class NodeWalk {
   }
 
   void add_mesh(std::size_t mesh, const Eigen::Matrix4d& place, std::string name) {
-    if (name.empty()) name = GltfDocument::text(document_.element("meshes", mesh, "nodes"), "name");
+    if (name.empty()) name = GltfDocument::text(document_.element("meshes", mesh, say("nodes")), "name");
     instances_.push_back({mesh, place, std::move(name)});
   }
 
   /// @returns whether there are so many numbers of that name
   template <std::size_t Size>
-  bool read(const Json& node, const char* name, const std::string& place, std::array<double, Size>& numbers) const {
+  bool read(const Json& node, const char* name, const Message& place, std::array<double, Size>& numbers) const {
     const Json& list = document_.list(node, name, place);
     if (list.empty()) return false;
-    if (list.size() != Size)
-      document_.errors().fail(in_quotes(name) + " has " + std::to_string(list.size()) + " numbers", place);
+    if (list.size() != Size) document_.errors().fail(say("%1 has %2 numbers", in_quotes(name), list.size()), place);
     for (std::size_t k = 0; k < Size; ++k) numbers[k] = document_.number(list[k], place);
     return true;
   }
 
-  Eigen::Matrix4d matrix(const Json& node, const std::string& place) const {
+  Eigen::Matrix4d matrix(const Json& node, const Message& place) const {
     Eigen::Matrix4d result = Eigen::Matrix4d::Identity();
     if (std::array<double, 16> all{}; read(node, "matrix", place, all)) {
       result = Eigen::Map<const Eigen::Matrix4d>(all.data());
@@ -115,7 +114,7 @@ class NodeWalk {
     read(node, "scale", place, scale);
     if (read(node, "rotation", place, rotation)) {
       Eigen::Quaterniond turn(rotation[3], rotation[0], rotation[1], rotation[2]);
-      if (!(turn.norm() > 0)) document_.errors().fail("\"rotation\" is none", place);
+      if (!(turn.norm() > 0)) document_.errors().fail(say("\"rotation\" is none"), place);
       const bool is_unit = turn.coeffs() == Eigen::Vector4d(0, 0, 0, 1);
       if (!is_unit) result.topLeftCorner<3, 3>() = turn.normalized().toRotationMatrix();
     }

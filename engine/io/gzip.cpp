@@ -35,8 +35,8 @@ struct Inflation {
   Inflation& operator=(const Inflation&) = delete;
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem, std::size_t byte) {
-  throw ReadError(path, problem, "byte " + std::to_string(byte), "Copy or compress it again.");
+[[noreturn]] void fail(const std::filesystem::path& path, const Message& problem, std::size_t byte) {
+  throw ReadError(path, problem, say("byte %1", byte), say("Copy or compress it again."));
 }
 
 }  // namespace
@@ -53,8 +53,8 @@ std::string gunzip(const std::filesystem::path& path, std::string_view bytes) {
     inflateReset(&stream);
     for (int outcome = Z_OK; outcome != Z_STREAM_END;) {
       if (static_cast<double>(result.size()) > most)
-        throw ReadError(path, "the unpacked mesh would take more than half of this computer's memory", "",
-                        "Reduce it first.");
+        throw ReadError(path, say("the unpacked mesh would take more than half of this computer's memory"), {},
+                        say("Reduce it first."));
       stream.next_in = bytes_of(bytes.data() + at);
       stream.avail_in = part(bytes.size() - at);
       const uInt given = stream.avail_in;
@@ -65,13 +65,13 @@ std::string gunzip(const std::filesystem::path& path, std::string_view bytes) {
       result.append(buffer.data(), buffer.size() - stream.avail_out);
       if (outcome == Z_MEM_ERROR) throw std::bad_alloc();
       if (outcome != Z_OK && outcome != Z_STREAM_END && outcome != Z_BUF_ERROR)
-        fail(path, "the compressed file is damaged", at);
+        fail(path, say("the compressed file is damaged"), at);
       if (outcome != Z_STREAM_END && at == bytes.size() && stream.avail_out > 0)
-        fail(path, "the compressed file is incomplete", at);
+        fail(path, say("the compressed file is incomplete"), at);
     }
   }
   if (bytes.find_first_not_of('\0', at) != std::string_view::npos)
-    fail(path, "something else follows the compressed mesh", at);
+    fail(path, say("something else follows the compressed mesh"), at);
   return result;
 }
 

@@ -5,7 +5,7 @@
 
 namespace loopmend {
 
-void count_not_kept(std::vector<NotKept>& list, const std::string& what, std::size_t count) {
+void count_not_kept(std::vector<NotKept>& list, const Message& what, std::size_t count) {
   if (count == 0 || what.empty()) return;
   const auto known = std::find_if(list.begin(), list.end(), [&](const NotKept& entry) { return entry.what == what; });
   if (known != list.end())
@@ -18,7 +18,7 @@ std::string to_string(const std::vector<NotKept>& list) {
   constexpr std::size_t most_named = 20;
   std::string text;
   for (std::size_t k = 0; k < std::min(list.size(), most_named); ++k)
-    text += (k > 0 ? ", " : "") + list[k].what + " (" + std::to_string(list[k].count) + ")";
+    text += (k > 0 ? ", " : "") + list[k].what.english() + " (" + std::to_string(list[k].count) + ")";
   if (list.size() > most_named) text += " and " + std::to_string(list.size() - most_named) + " more";
   return text;
 }

@@ -47,27 +47,27 @@ class ModelReader {
   PackageModel read() {
     archive_.read(part_, [&](std::string_view piece) { xml_.feed(piece); });
     xml_.finish();
-    if (!is_model_) fail("the part holds no model");
+    if (!is_model_) fail(say("the part holds no model"));
     return std::move(model_);
   }
 
  private:
   [[noreturn]] void fail(
-      const std::string& problem,
-      const std::string& cure = "The file is damaged or incomplete; export or copy it again.") const {
+      const Message& problem,
+      const Message& cure = say("The file is damaged or incomplete; export or copy it again.")) const {
     throw ReadError(file_.path, problem, xml_.place(), cure);
   }
 
   std::string_view needed(const XmlAttributes& attributes, const char* name) const {
     const std::optional<std::string_view> value = attributes.find(name);
-    if (!value) fail(in_quotes(name) + " is missing");
+    if (!value) fail(say("%1 is missing", in_quotes(name)));
     return *value;
   }
 
   double number(const XmlAttributes& attributes, const char* name) const {
     const std::string_view text = needed(attributes, name);
     const std::optional<double> value = parse_double(text);
-    if (!value || !std::isfinite(*value)) fail(in_quotes(text) + " stands where a coordinate should be");
+    if (!value || !std::isfinite(*value)) fail(say("%1 stands where a coordinate should be", in_quotes(text)));
     return *value;
   }
 
@@ -77,7 +77,7 @@ class ModelReader {
     if (!text && fallback) return *fallback;
     const std::optional<std::int64_t> value = parse_integer(needed(attributes, name));
     if (!value || *value < 0 || *value > std::numeric_limits<int>::max())
-      fail(in_quotes(*text) + " stands where \"" + name + "\" should be");
+      fail(say("%1 stands where \"%2\" should be", in_quotes(*text), name));
     return static_cast<int>(*value);
   }
 
@@ -100,25 +100,25 @@ class ModelReader {
       metadata_name_ = printable(attributes.find("name").value_or(""));
       metadata_text_.clear();
     } else if (element == "texture2d" || element == "texture2dgroup") {
-      count_not_kept(model_.not_kept, "textures of 3MF");
+      count_not_kept(model_.not_kept, say("textures of 3MF"));
     } else if (element == "compositematerials" || element == "multiproperties") {
-      count_not_kept(model_.not_kept, "mixed materials");
+      count_not_kept(model_.not_kept, say("mixed materials"));
     } else if (element == "beamlattice") {
-      count_not_kept(model_.not_kept, "beam lattices");
+      count_not_kept(model_.not_kept, say("beam lattices"));
     }
   }
 
   void add_material(const XmlAttributes& attributes) {
-    if (!materials_) fail("a material stands outside \"basematerials\"");
+    if (!materials_) fail(say("a material stands outside \"basematerials\""));
     const Color color = color_of(attributes.find("displaycolor").value_or("")).value_or(opaque_white);
     materials_->push_back({printable(attributes.find("name").value_or("")), color});
   }
 
   void add_color(const XmlAttributes& attributes) {
-    if (!colors_) fail("a colour stands outside \"colorgroup\"");
+    if (!colors_) fail(say("a colour stands outside \"colorgroup\""));
     const std::string_view text = needed(attributes, "color");
     const std::optional<Color> color = color_of(text);
-    if (!color) fail(in_quotes(text) + " is no colour");
+    if (!color) fail(say("%1 is no colour", in_quotes(text)));
     colors_->push_back(*color);
   }
 
@@ -140,7 +140,7 @@ class ModelReader {
     is_model_ = true;
     constexpr std::array<std::string_view, 6> units = {"micron", "millimeter", "centimeter", "inch", "foot", "meter"};
     const std::string_view unit = attributes.find("unit").value_or("millimeter");
-    if (std::find(units.begin(), units.end(), unit) == units.end()) fail(in_quotes(unit) + " is no unit of 3MF");
+    if (std::find(units.begin(), units.end(), unit) == units.end()) fail(say("%1 is no unit of 3MF", in_quotes(unit)));
     model_.unit = unit;
     const std::string required(attributes.find("requiredextensions").value_or(""));
     TextCursor cursor(required);
@@ -151,14 +151,14 @@ class ModelReader {
                          name.find("/material/") != std::string_view::npos ||
                          name.find("/trianglesets/") != std::string_view::npos;
       if (!known)
-        fail("needs the extension " + in_quotes(name) + ", which Loopmend does not know", "Export it without.");
+        fail(say("needs the extension %1, which Loopmend does not know", in_quotes(name)), say("Export it without."));
     }
   }
 
   void begin_object(const XmlAttributes& attributes) {
     const int id = whole(attributes, "id");
     const auto [entry, is_new] = model_.objects.try_emplace(id);
-    if (!is_new) fail("there are two objects " + std::to_string(id));
+    if (!is_new) fail(say("there are two objects %1", id));
     object_ = &entry->second;
     object_->name = printable(attributes.find("name").value_or(""));
     object_->group = whole(attributes, "pid", -1);
@@ -166,7 +166,7 @@ class ModelReader {
   }
 
   PackageObject& object() {
-    if (!object_) fail("a vertex, triangle or component stands outside an object");
+    if (!object_) fail(say("a vertex, triangle or component stands outside an object"));
     return *object_;
   }
 
@@ -194,11 +194,12 @@ class ModelReader {
     for (std::string_view token = cursor.next_token_across_lines(); !token.empty();
          token = cursor.next_token_across_lines()) {
       const std::optional<double> value = parse_double(token);
-      if (!value || !std::isfinite(*value)) fail(in_quotes(token) + " stands where a number of a transform should be");
+      if (!value || !std::isfinite(*value))
+        fail(say("%1 stands where a number of a transform should be", in_quotes(token)));
       if (count < numbers.size()) numbers[count] = *value;
       ++count;
     }
-    if (count != 0 && count != numbers.size()) fail("a transform has " + std::to_string(count) + " numbers, not 12");
+    if (count != 0 && count != numbers.size()) fail(say("a transform has %1 numbers, not 12", count));
     for (int k = 0; count != 0 && k < 12; ++k) result.place(k % 3, k / 3) = numbers[static_cast<std::size_t>(k)];
     return result;
   }
@@ -210,9 +211,7 @@ class ModelReader {
     const int count = static_cast<int>(object_->points.size());
     for (std::size_t f = 0; f < object_->triangles.size(); ++f)
       for (const int v : object_->triangles[f].vertices)
-        if (v >= count)
-          fail("face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but there are " +
-               std::to_string(count) + ", from 0 on");
+        if (v >= count) fail(say("face %1 names vertex %2, but there are %3, from 0 on", f, v, count));
     object_ = nullptr;
   }
 
@@ -261,8 +260,8 @@ std::string root_model(const FileContent& file, const ZipArchive& archive) {
   }
   if (root.empty() && archive.has("3D/3dmodel.model")) root = "3D/3dmodel.model";
   if (!root.empty()) return root;
-  throw ReadError(file.path, "this is a ZIP archive without a 3MF model, not a mesh file", "byte 0",
-                  "Unpack it, and open what is in it.");
+  throw ReadError(file.path, say("this is a ZIP archive without a 3MF model, not a mesh file"), say("byte 0"),
+                  say("Unpack it, and open what is in it."));
 }
 
 }  // namespace loopmend

@@ -30,7 +30,7 @@ class PackageReader {
     const PackageModel& model = part(part_key(root));
     std::vector<PackageReference> items = model.items;
     if (items.empty()) {
-      count_not_kept(soup_.oddities, "no build: every object is taken");
+      count_not_kept(soup_.oddities, say("no build: every object is taken"));
       for (const auto& [id, object] : model.objects)
         if (!object.triangles.empty()) items.push_back({part_key(root), id, Eigen::Matrix4d::Identity()});
     }
@@ -48,8 +48,8 @@ class PackageReader {
     if (known != parts_.end()) return known->second;
     PackageModel model = read_package_model(file_, archive_, key);
     if (!parts_.empty() && model.unit != parts_.begin()->second.unit)
-      errors_.fail("its parts have different units, " + model.unit + " and " + parts_.begin()->second.unit, key,
-                   "Export it again.");
+      errors_.fail(say("its parts have different units, %1 and %2", model.unit, parts_.begin()->second.unit),
+                   verbatim(key), say("Export it again."));
     for (const NotKept& aside : model.not_kept) count_not_kept(soup_.not_kept, aside.what, aside.count);
     for (const auto& [id, object] : model.objects) stored_ += object.triangles.size();
     first_material_[key] = {};
@@ -65,14 +65,13 @@ class PackageReader {
   }
 
   void add(const PackageReference& reference, const Eigen::Matrix4d& parent, int depth) {
-    const std::string place = "object " + std::to_string(reference.object) + " of " + reference.part;
-    if (depth > most_depth)
-      errors_.fail("objects are made of one another more than " + std::to_string(most_depth) + " deep", place);
+    const Message place = say("object %1 of %2", reference.object, reference.part);
+    if (depth > most_depth) errors_.fail(say("objects are made of one another more than %1 deep", most_depth), place);
     if (++references_ > most_references)
-      errors_.fail("more than " + std::to_string(most_references) + " objects", place, "Export it with fewer copies.");
+      errors_.fail(say("more than %1 objects", most_references), place, say("Export it with fewer copies."));
     const PackageModel& model = part(reference.part);
     const auto found = model.objects.find(reference.object);
-    if (found == model.objects.end()) errors_.fail("names an object that is not there", place);
+    if (found == model.objects.end()) errors_.fail(say("names an object that is not there"), place);
     const bool is_placed = !reference.place.isIdentity(0);
     moved_ += is_placed;
     const Eigen::Matrix4d here = is_placed ? Eigen::Matrix4d(parent * reference.place) : parent;
@@ -82,16 +81,15 @@ class PackageReader {
   }
 
   void add_mesh(const PackageModel& model, const PackageReference& reference, const PackageObject& object,
-                const Eigen::Matrix4d& here, const std::string& place) {
+                const Eigen::Matrix4d& here, const Message& place) {
     constexpr std::size_t always = 2'000'000, copies = 64;
     if (soup_.polygon_count() + object.triangles.size() > std::max(always, copies * stored_))
-      errors_.fail(
-          "the same triangles are there again and again, in all more than " + std::to_string(soup_.polygon_count()),
-          place, "Export it with fewer copies.");
+      errors_.fail(say("the same triangles are there again and again, in all more than %1", soup_.polygon_count()),
+                   place, say("Export it with fewer copies."));
     const bool is_placed = !here.isIdentity(0);
     const std::size_t first = soup_.points.size();
     if (first + object.points.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-      errors_.fail("more than 2147483647 vertices", "");
+      errors_.fail(say("more than 2147483647 vertices"), {});
     for (const Vec3& given : object.points) {
       const Vec3 point = is_placed ? Vec3((here * given.homogeneous()).head<3>()) : given;
       if (!point.allFinite()) errors_.not_finite(soup_.points.size() - first, place);
@@ -115,14 +113,12 @@ class PackageReader {
   }
 
   void add_color(const PackageModel& model, const std::string& part, int group, const std::array<int, 3>& members,
-                 const std::string& place) {
+                 const Message& place) {
     int material = -1;
     const auto require = [&](std::size_t size) {
       for (const int member : members)
         if (member < 0 || static_cast<std::size_t>(member) >= size)
-          errors_.fail("names member " + std::to_string(member) + " of property group " + std::to_string(group) +
-                           ", which has " + std::to_string(size),
-                       place);
+          errors_.fail(say("names member %1 of property group %2, which has %3", member, group, size), place);
     };
     if (const auto materials = model.materials.find(group); materials != model.materials.end()) {
       require(materials->second.size());
@@ -154,8 +150,8 @@ class PackageReader {
     table_.metadata = root.metadata;
     if (!table_.materials.empty() || !table_.metadata.empty())
       scan.materials = std::make_shared<MaterialTable>(std::move(table_));
-    count_not_kept(soup_.not_kept, "transforms of objects, which are applied", moved_);
-    count_not_kept(soup_.not_kept, "faces with properties of other kinds", unknown_groups_);
+    count_not_kept(soup_.not_kept, say("transforms of objects, which are applied"), moved_);
+    count_not_kept(soup_.not_kept, say("faces with properties of other kinds"), unknown_groups_);
     std::set<std::string> known = {"_rels/.rels", "[content_types].xml"};
     for (const auto& [key, model] : parts_) known.insert(key);
     std::size_t others = 0;
@@ -164,7 +160,7 @@ class PackageReader {
       const bool is_plumbing = key.empty() || key.back() == '/' || key.find("_rels/") != std::string::npos;
       others += !is_plumbing && !known.contains(key);
     }
-    count_not_kept(soup_.not_kept, "further parts of the archive", others);
+    count_not_kept(soup_.not_kept, say("further parts of the archive"), others);
   }
 
   /// Of faces where each has one, else of vertices: of several at one vertex the first counts.
@@ -191,7 +187,7 @@ class PackageReader {
         apart += soup_.colors[v] != color;
     }
     soup_.missing_colors = static_cast<std::size_t>(std::count(has.begin(), has.end(), 0));
-    count_not_kept(soup_.not_kept, "further colours at one vertex", apart);
+    count_not_kept(soup_.not_kept, say("further colours at one vertex"), apart);
   }
 
   const FileContent& file_;

@@ -62,38 +62,38 @@ class GltfReader {
     is_placed_ = !place_.isIdentity(0);
     moved_ += is_placed_;
     if (!place_.allFinite())
-      document_.errors().fail("the transforms of its nodes are too large", mesh_place(instance.mesh));
+      document_.errors().fail(say("the transforms of its nodes are too large"), mesh_place(instance.mesh));
     const Eigen::Matrix3d linear = place_.topLeftCorner<3, 3>();
     const double determinant = linear.determinant();
     is_mirrored_ = determinant < 0;
     turn_ = linear;
     if (is_placed_ && std::isfinite(determinant) && determinant != 0) turn_ = linear.inverse().transpose();
-    const Json& mesh = document_.element("meshes", instance.mesh, "nodes");
+    const Json& mesh = document_.element("meshes", instance.mesh, say("nodes"));
     const Json& primitives = document_.list(mesh, "primitives", mesh_place(instance.mesh));
     const std::size_t faces = soup_.polygon_count();
     for (std::size_t k = 0; k < primitives.size(); ++k) {
-      where_ = mesh_place(instance.mesh) + ", primitive " + std::to_string(k);
+      where_ = say("mesh %1, primitive %2", instance.mesh, k);
       if (const std::optional<Primitive> primitive = open(primitives[k])) read_primitive(*primitive);
     }
     object_faces_.push_back(soup_.polygon_count() - faces);
   }
 
-  static std::string mesh_place(std::size_t mesh) { return "mesh " + std::to_string(mesh); }
+  static Message mesh_place(std::size_t mesh) { return say("mesh %1", mesh); }
 
   /// Nothing for points and lines.
   std::optional<Primitive> open(const Json& json) {
-    if (!json.is_object()) document_.errors().fail("is no object", where_);
+    if (!json.is_object()) document_.errors().fail(say("is no object"), where_);
     const std::size_t mode = document_.whole(json, "mode", where_).value_or(4);
     if (mode < 4) {
       ++soup_.skipped_elements;
-      count_not_kept(soup_.not_kept, "primitives of points and lines");
+      count_not_kept(soup_.not_kept, say("primitives of points and lines"));
       return {};
     }
-    if (mode > 6) document_.errors().fail("has the unknown mode " + std::to_string(mode), where_);
+    if (mode > 6) document_.errors().fail(say("has the unknown mode %1", mode), where_);
     const Json* attributes = GltfDocument::find(json, "attributes");
     const std::optional<std::size_t> positions =
         attributes ? document_.whole(*attributes, "POSITION", where_) : std::nullopt;
-    if (!positions) document_.errors().fail("has no POSITION", where_);
+    if (!positions) document_.errors().fail(say("has no POSITION"), where_);
     Primitive primitive;
     primitive.mode = static_cast<Mode>(mode);
     primitive.positions = numbers(*positions, 3, 3, "POSITION");
@@ -101,7 +101,7 @@ class GltfReader {
       primitive.indices = numbers(*indices, 1, 1, "indices");
       const int type = primitive.indices->component_type;
       if (type != 5121 && type != 5123 && type != 5125)
-        document_.errors().fail("its indices are no unsigned numbers", where_);
+        document_.errors().fail(say("its indices are no unsigned numbers"), where_);
       primitive.indices->normalized = false;
     }
     const std::size_t count = primitive.positions.count;
@@ -110,8 +110,8 @@ class GltfReader {
     primitive.colors = of_vertices(*attributes, "COLOR_0", 3, 4, count);
     for (const auto& [name, value] : attributes->items())
       if (name != "POSITION" && name != "NORMAL" && name != "TEXCOORD_0" && name != "COLOR_0")
-        count_not_kept(soup_.not_kept, "vertex attributes " + in_quotes(name), count);
-    if (GltfDocument::find(json, "targets")) count_not_kept(soup_.not_kept, "primitives with morph targets");
+        count_not_kept(soup_.not_kept, say("vertex attributes %1", in_quotes(name)), count);
+    if (GltfDocument::find(json, "targets")) count_not_kept(soup_.not_kept, say("primitives with morph targets"));
     if (const auto material = document_.whole(json, "material", where_)) {
       document_.element("materials", *material, where_);
       primitive.material = static_cast<int>(*material);
@@ -122,8 +122,7 @@ class GltfReader {
   GltfNumbers numbers(std::size_t accessor, int least, int most, const char* name) {
     const GltfNumbers result = document_.numbers(accessor, where_);
     if (result.components < least || result.components > most)
-      document_.errors().fail(std::string(name) + " has " + std::to_string(result.components) + " numbers each",
-                              where_);
+      document_.errors().fail(say("%1 has %2 numbers each", std::string(name), result.components), where_);
     return result;
   }
 
@@ -133,8 +132,7 @@ class GltfReader {
     if (!accessor) return {};
     GltfNumbers result = numbers(*accessor, least, most, name);
     if (result.count != count)
-      document_.errors().fail(std::string(name) + " has " + std::to_string(result.count) + " elements for " +
-                                  std::to_string(count) + " positions",
+      document_.errors().fail(say("%1 has %2 elements for %3 positions", std::string(name), result.count, count),
                               where_);
     if (result.component_type != 5126 && std::string_view(name) == "COLOR_0")
       result.normalized = true;  // else they are none
@@ -181,12 +179,11 @@ class GltfReader {
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k] = primitive.indices ? static_cast<std::size_t>(primitive.indices->value(k, 0)) : k;
       if (all[k] >= primitive.positions.count)
-        document_.errors().bad_index(k / 3, std::to_string(all[k]),
-                                     "there are " + std::to_string(primitive.positions.count) + ", from 0 on", where_);
+        document_.errors().bad_index(k / 3, all[k], say("there are %1, from 0 on", primitive.positions.count), where_);
     }
     if (primitive.mode == Mode::triangles) {
       if (all.size() % 3 != 0)
-        document_.errors().fail(std::to_string(all.size()) + " corners, which are not three for each triangle", where_);
+        document_.errors().fail(say("%1 corners, which are not three for each triangle", all.size()), where_);
       return all;
     }
     std::vector<std::size_t> corners;
@@ -204,8 +201,8 @@ class GltfReader {
     constexpr std::size_t for_each_byte = 4;
     if (soup_.corners.size() + more > std::max(always, for_each_byte * document_.bytes_read()))
       document_.errors().fail(
-          "the same triangles are shown again and again, in all more than " + std::to_string(soup_.polygon_count()),
-          where_, "Export it with fewer instances.");
+          say("the same triangles are shown again and again, in all more than %1", soup_.polygon_count()), where_,
+          say("Export it with fewer instances."));
   }
 
   Vertex read_vertex(const Primitive& primitive, std::size_t v) {
@@ -213,7 +210,7 @@ class GltfReader {
     if (is_placed_) point = (place_ * point.homogeneous()).head<3>();
     if (!point.allFinite()) document_.errors().not_finite(v, where_);
     if (soup_.points.size() == std::numeric_limits<int>::max())
-      document_.errors().fail("more than 2147483647 vertices", "");
+      document_.errors().fail(say("more than 2147483647 vertices"), {});
     const int last = static_cast<int>(soup_.points.size());
     soup_.points.push_back(point);
     Vertex vertex;
@@ -270,7 +267,7 @@ class GltfReader {
     soup_.colors.resize(soup_.points.size(), opaque_white);
     has_color_.resize(soup_.points.size(), 0);
     soup_.missing_colors = static_cast<std::size_t>(std::count(has_color_.begin(), has_color_.end(), 0));
-    count_not_kept(soup_.not_kept, "further colours at one place", colors_apart_);
+    count_not_kept(soup_.not_kept, say("further colours at one place"), colors_apart_);
   }
 
   static void finish_values(CornerValues& values, int dimension) {
@@ -300,13 +297,14 @@ class GltfReader {
   }
 
   void count_asides(const std::vector<GltfInstance>& instances) {
-    count_not_kept(soup_.not_kept, "vertices without faces", unused_);
-    count_not_kept(soup_.not_kept, "transforms of nodes, which are applied", moved_);
-    for (const char* name : {"animations", "skins", "cameras"})
-      count_not_kept(soup_.not_kept, name, document_.list(name).size());
+    count_not_kept(soup_.not_kept, say("vertices without faces"), unused_);
+    count_not_kept(soup_.not_kept, say("transforms of nodes, which are applied"), moved_);
+    count_not_kept(soup_.not_kept, say("animations"), document_.list("animations").size());
+    count_not_kept(soup_.not_kept, say("skins"), document_.list("skins").size());
+    count_not_kept(soup_.not_kept, say("cameras"), document_.list("cameras").size());
     std::vector<char> shown(document_.list("meshes").size(), 0);
     for (const GltfInstance& instance : instances) shown[instance.mesh] = 1;
-    count_not_kept(soup_.not_kept, "meshes that the scene does not show",
+    count_not_kept(soup_.not_kept, say("meshes that the scene does not show"),
                    static_cast<std::size_t>(std::count(shown.begin(), shown.end(), 0)));
     if (holds_as_floats(soup_.points)) soup_.attributes.coordinates = ScalarType::float32;
   }
@@ -317,7 +315,7 @@ class GltfReader {
   Eigen::Matrix4d place_ = Eigen::Matrix4d::Identity();
   Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity();
   bool is_placed_ = false, is_mirrored_ = false;
-  std::string where_;
+  Message where_;
   std::vector<int> materials_;             // per face
   std::vector<std::size_t> object_faces_;  // per instance
   std::vector<char> has_color_;            // per point

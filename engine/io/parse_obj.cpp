@@ -65,10 +65,10 @@ class ObjReader {
     require_forward_references();
     lone_.finish(soup_, errors_);
     finish_colors();
-    finish_corners("texture coordinates", texture_, soup_.attributes.texture);
-    finish_corners("normals", normals_, soup_.attributes.normals);
+    finish_corners(say("numbers of texture coordinates that are not there"), texture_, soup_.attributes.texture);
+    finish_corners(say("numbers of normals that are not there"), normals_, soup_.attributes.normals);
     finish_names();
-    for (const auto& [what, count] : asides_) count_not_kept(soup_.not_kept, what, count);
+    for (const auto& [what, count] : asides_) count_not_kept(soup_.not_kept, say(what), count);
     return std::move(soup_);
   }
 
@@ -108,9 +108,9 @@ class ObjReader {
     } else if (word == "f" || word == "fo") {
       read_face();
     } else if (word == "vt") {
-      read_values(texture_, "texture coordinates that are no numbers");
+      read_values(texture_, text_to_say("texture coordinates that are no numbers"));
     } else if (word == "vn") {
-      read_values(normals_, "normals that are no numbers");
+      read_values(normals_, text_to_say("normals that are no numbers"));
     } else if (is_naming(word)) {
       read_name(word);
       cursor_.skip_line();
@@ -120,14 +120,14 @@ class ObjReader {
       while (!next().empty()) {
       }
     } else if (word.substr(0, 2) == "//") {
-      count_not_kept(soup_.oddities, "comments that begin with //");
+      count_not_kept(soup_.oddities, say("comments that begin with //"));
       cursor_.skip_line();
     } else if (may_be_statement(word)) {
-      count_not_kept(soup_.oddities, "unknown statements");
+      count_not_kept(soup_.oddities, say("unknown statements"));
       cursor_.skip_line();
     } else {
-      errors_.fail(in_quotes(word) + " is not a statement of an OBJ file", cursor_.place(),
-                   "The file is damaged or is something else under this name.");
+      errors_.fail(say("%1 is not a statement of an OBJ file", in_quotes(word)), cursor_.place(),
+                   say("The file is damaged or is something else under this name."));
     }
   }
 
@@ -194,10 +194,10 @@ class ObjReader {
 
   /// What a statement without vertices or faces of ours gives; null for parts of one.
   static const char* kind_of(std::string_view word) {
-    if (word == "vp") return "points in parameter space";
-    if (word == "l") return "lines";
-    if (word == "p") return "points";
-    return is_other_element(word) ? "free-form curves and surfaces" : nullptr;
+    if (word == "vp") return text_to_say("points in parameter space");
+    if (word == "l") return text_to_say("lines");
+    if (word == "p") return text_to_say("points");
+    return is_other_element(word) ? text_to_say("free-form curves and surfaces") : nullptr;
   }
 
   /// There may be as many of them as vertices: no text is made for each.
@@ -223,7 +223,7 @@ class ObjReader {
       return;
     }
     const auto kept = std::find(kept_names.begin(), kept_names.end(), word);
-    if (kept == kept_names.end()) return count_aside("display statements");
+    if (kept == kept_names.end()) return count_aside(text_to_say("display statements"));
     NamesSoFar& names = names_[static_cast<std::size_t>(kept - kept_names.begin())];
     const auto [known, is_new] = names.number.emplace(name, static_cast<int>(names.names.size()));
     if (is_new) names.names.push_back(name);
@@ -244,7 +244,7 @@ class ObjReader {
   }
 
   /// A corner may name a value that is not there, or does not say one: it has none then.
-  void finish_corners(const char* what, const Values& values, CornerValues& kept) {
+  void finish_corners(const Message& lost, const Values& values, CornerValues& kept) {
     const int count = static_cast<int>(values.all.size());
     if (count == 0 || values.dimension == 0) return;
     kept.dimension = values.dimension;
@@ -258,7 +258,7 @@ class ObjReader {
         at = -1;
         ++wrong;
       }
-    count_not_kept(soup_.not_kept, std::string("numbers of ") + what + " that are not there", wrong);
+    count_not_kept(soup_.not_kept, lost, wrong);
   }
 
   void finish_names() {
@@ -271,7 +271,7 @@ class ObjReader {
       names.of_face.resize(soup_.polygon_count(), names_[k].now);
       soup_.attributes.names.push_back(std::move(names));
     }
-    count_not_kept(soup_.not_kept, "names of no face", unused);
+    count_not_kept(soup_.not_kept, say("names of no face"), unused);
   }
 
   /// x y z; x y z w (w belongs to free-form curves); x y z r g b; x y z r g b a.
@@ -280,23 +280,22 @@ class ObjReader {
     std::size_t count = 0;
     for (std::string_view token = next(); !token.empty(); token = next()) {
       const std::optional<double> value = parse_double(token);
-      if (!value) errors_.not_a_number(token, "a coordinate", cursor_.place());
+      if (!value) errors_.not_a_number(token, say("a coordinate"), cursor_.place());
       if (count == values.size()) fail_vertex_size();
       values[count++] = *value;
     }
     if (count < 3 || count == 5) fail_vertex_size();
-    if (soup_.points.size() == std::numeric_limits<int>::max()) errors_.fail("more than 2147483647 vertices", "");
+    if (soup_.points.size() == std::numeric_limits<int>::max()) errors_.fail(say("more than 2147483647 vertices"), {});
     const int vertex = static_cast<int>(soup_.points.size());
-    const Vec3 point =
-        lone_.checked({values[0], values[1], values[2]}, vertex, soup_.points.size() + 1, cursor_.place());
+    const Vec3 point = lone_.checked({values[0], values[1], values[2]}, vertex, soup_.points.size() + 1,
+                                     [&] { return cursor_.place(); });
     if (count >= 6) remember_color({values[3], values[4], values[5], count == 7 ? values[6] : 1.0});
     soup_.points.push_back(point);
   }
 
   [[noreturn]] void fail_vertex_size() const {
-    errors_.fail(
-        "vertex " + std::to_string(soup_.points.size() + 1) + " does not have 3 coordinates (or 6 with a colour)",
-        cursor_.place(), "Correct that line, or export the mesh again.");
+    errors_.fail(say("vertex %1 does not have 3 coordinates (or 6 with a colour)", soup_.points.size() + 1),
+                 cursor_.place(), say("Correct that line, or export the mesh again."));
   }
 
   /// Colours wait until the end: only then is it known whether they are of 0..1 or of 0..255.
@@ -343,7 +342,7 @@ class ObjReader {
     const std::string_view first = token.substr(0, token.find('/'));
     const std::optional<std::int64_t> index = parse_integer(first);
     const std::optional<std::array<std::int64_t, 2>> tail = tail_of(token.substr(first.size()));
-    if (!index || !tail) errors_.not_a_number(token, "a vertex index", cursor_.place());
+    if (!index || !tail) errors_.not_a_number(token, say("a vertex index"), cursor_.place());
     const auto known = static_cast<std::int64_t>(soup_.points.size());
     if (*index == 0 || *index < -known || *index > std::numeric_limits<int>::max()) fail_index(*index, known);
     const std::int64_t vertex = *index > 0 ? *index - 1 : known + *index;
@@ -380,17 +379,15 @@ class ObjReader {
   }
 
   [[noreturn]] void fail_index(std::int64_t index, std::int64_t known) const {
-    errors_.bad_index(soup_.polygon_count() + 1, std::to_string(index),
-                      index == 0 ? "OBJ counts from 1" : "there are " + std::to_string(known) + " before it",
-                      cursor_.place());
+    errors_.bad_index(soup_.polygon_count() + 1, index,
+                      index == 0 ? say("OBJ counts from 1") : say("there are %1 before it", known), cursor_.place());
   }
 
   /// A face may stand before its vertices; at the end they must be there.
   void require_forward_references() const {
     const auto count = static_cast<std::int64_t>(soup_.points.size());
     if (farthest_.vertex < count) return;
-    errors_.bad_index(farthest_.face, std::to_string(farthest_.vertex + 1), "there are " + std::to_string(count),
-                      "line " + std::to_string(farthest_.line));
+    errors_.bad_index(farthest_.face, farthest_.vertex + 1, say("there are %1", count), say("line %1", farthest_.line));
   }
 
   struct Reference {

@@ -25,8 +25,8 @@ class OffReader {
     for (std::uint64_t v = 0; v < vertex_count_; ++v) read_vertex(v);
     for (std::uint64_t f = 0; f < face_count_; ++f) read_face(f);
     if (!cursor_.next_token_across_lines().empty()) {
-      errors_.fail("there is more data than the header announces", cursor_.place(),
-                   "The header and the data do not belong together; export the mesh again.");
+      errors_.fail(say("there is more data than the header announces"), cursor_.place(),
+                   say("The header and the data do not belong together; export the mesh again."));
     }
     lone_.finish(soup_, errors_);
     finish_colors();
@@ -40,7 +40,7 @@ class OffReader {
     std::string_view token = cursor_.next_token_across_lines();
     const std::string upper = upper_off_keyword(token);
     if (upper != token) {
-      count_not_kept(soup_.oddities, "keyword in lower case");
+      count_not_kept(soup_.oddities, say("keyword in lower case"));
       token = upper;
     }
     const std::size_t keyword = token.find("OFF");
@@ -50,24 +50,25 @@ class OffReader {
       if (token.empty()) token = cursor_.next_token_across_lines();
     }
     if (equals_ignoring_case(token, "BINARY")) {
-      errors_.fail("binary OFF is not supported", cursor_.place(), "Save it as text OFF, or as PLY.");
+      errors_.fail(say("binary OFF is not supported"), cursor_.place(), say("Save it as text OFF, or as PLY."));
     }
-    vertex_count_ = count(token, "the number of vertices");
-    face_count_ = count(cursor_.next_token_across_lines(), "the number of faces");
+    vertex_count_ = count(token, say("the number of vertices"));
+    face_count_ = count(cursor_.next_token_across_lines(), say("the number of faces"));
     const std::string_view edges = cursor_.next_token();
-    if (!edges.empty()) count(edges, "the number of edges");
+    if (!edges.empty()) count(edges, say("the number of edges"));
     require_line_end();
     // At the least: "0 0 0" and "3 0 0 0", each with a separator.
     const std::uint64_t bytes = cursor_.bytes_left() + 1;
-    if (vertex_count_ > bytes / 6) errors_.too_many("vertices", std::to_string(vertex_count_), cursor_.place());
-    if (face_count_ > bytes / 8) errors_.too_many("faces", std::to_string(face_count_), cursor_.place());
-    if (vertex_count_ > std::numeric_limits<int>::max()) errors_.fail("more than 2147483647 vertices", cursor_.place());
+    if (vertex_count_ > bytes / 6) errors_.too_many(say("vertices"), vertex_count_, cursor_.place());
+    if (face_count_ > bytes / 8) errors_.too_many(say("faces"), face_count_, cursor_.place());
+    if (vertex_count_ > std::numeric_limits<int>::max())
+      errors_.fail(say("more than 2147483647 vertices"), cursor_.place());
   }
 
   void read_prefix(std::string_view prefix) {
     if (prefix.find_first_of("4n") != std::string_view::npos) {
-      errors_.fail("vertices with other than 3 coordinates are not supported", cursor_.place(),
-                   "Export the mesh as plain OFF.");
+      errors_.fail(say("vertices with other than 3 coordinates are not supported"), cursor_.place(),
+                   say("Export the mesh as plain OFF."));
     }
     has_normals_ = prefix.find('N') != std::string_view::npos;
     has_texture_ = prefix.substr(0, 2) == "ST";
@@ -77,13 +78,13 @@ class OffReader {
       if (has_texture_) soup_.attributes.points.emplace_back(name, ScalarType::float64);
   }
 
-  std::uint64_t count(std::string_view token, const std::string& what) const {
+  std::uint64_t count(std::string_view token, const Message& what) const {
     const std::optional<std::int64_t> number = parse_integer(token);
     if (!number || *number < 0) errors_.not_a_number(token, what, cursor_.place());
     return static_cast<std::uint64_t>(*number);
   }
 
-  double number(std::string_view token, const std::string& what) const {
+  double number(std::string_view token, const Message& what) const {
     const std::optional<double> value = parse_double(token);
     if (!value) errors_.not_a_number(token, what, cursor_.place());
     return *value;
@@ -93,7 +94,7 @@ class OffReader {
   std::string_view first_of_row(const char* kind, std::uint64_t row, std::uint64_t rows) {
     const std::string_view token = cursor_.next_token_across_lines();
     if (token.empty()) {
-      errors_.truncated(std::string(kind) + " " + std::to_string(row) + " of " + std::to_string(rows), cursor_.place());
+      errors_.truncated(say("%1 %2 of %3", std::string(kind), row, rows), cursor_.place());
     }
     return token;
   }
@@ -101,8 +102,8 @@ class OffReader {
   void require_line_end() {
     const std::string_view token = cursor_.next_token();
     if (token.empty()) return;
-    errors_.fail(in_quotes(token) + " is more than this line should hold", cursor_.place(),
-                 "Correct that line, or export the mesh again.");
+    errors_.fail(say("%1 is more than this line should hold", in_quotes(token)), cursor_.place(),
+                 say("Correct that line, or export the mesh again."));
   }
 
   /// One line: x y z [normal] [r g b [a]] [texture]; what stands in brackets as the keyword says.
@@ -110,15 +111,15 @@ class OffReader {
     Vec3 point;
     std::string_view token = first_of_row("vertex", v, vertex_count_);
     for (double& x : point) {
-      x = number(token, "a coordinate");
+      x = number(token, say("a coordinate"));
       token = cursor_.next_token();
     }
-    soup_.points.push_back(lone_.checked(point, static_cast<int>(v), v, cursor_.place()));
+    soup_.points.push_back(lone_.checked(point, static_cast<int>(v), v, [&] { return cursor_.place(); }));
 
     std::array<double, 9> extras{};  // normal 3, colour 4, texture 2
     std::size_t size = 0;
     for (; !token.empty() && size < extras.size(); token = cursor_.next_token()) {
-      extras[size++] = number(token, "a number");
+      extras[size++] = number(token, say("a number"));
     }
     if (!token.empty()) fail_vertex_line();
     const std::size_t normal = has_normals_ ? 3 : 0;
@@ -154,28 +155,27 @@ class OffReader {
   }
 
   [[noreturn]] void fail_vertex_line() const {
-    errors_.fail("vertex " + std::to_string(soup_.points.size() - 1) + " has a wrong number of values", cursor_.place(),
-                 "Correct that line, or export the mesh again.");
+    errors_.fail(say("vertex %1 has a wrong number of values", soup_.points.size() - 1), cursor_.place(),
+                 say("Correct that line, or export the mesh again."));
   }
 
   /// One line: the number of corners, the corners, and a colour specification of up to four numbers.
   void read_face(std::uint64_t f) {
-    const std::uint64_t size = count(first_of_row("face", f, face_count_), "the number of a face's corners");
+    const std::uint64_t size = count(first_of_row("face", f, face_count_), say("the number of a face's corners"));
     const std::size_t begin = soup_.corners.size();
     for (std::uint64_t i = 0; i < size; ++i) {
       const std::string_view token = cursor_.next_token();
       const std::optional<std::int64_t> index = parse_integer(token);
-      if (!index) errors_.not_a_number(token, "a vertex index", cursor_.place());
+      if (!index) errors_.not_a_number(token, say("a vertex index"), cursor_.place());
       if (*index < 0 || static_cast<std::uint64_t>(*index) >= vertex_count_) {
-        errors_.bad_index(f, std::to_string(*index), "there are " + std::to_string(vertex_count_) + ", from 0 on",
-                          cursor_.place());
+        errors_.bad_index(f, *index, say("there are %1, from 0 on", vertex_count_), cursor_.place());
       }
       soup_.corners.push_back(static_cast<int>(*index));
     }
     const bool is_face = soup_.close_face(begin);
     for (int extra = 0; extra < 4; ++extra) {
       const std::string_view token = cursor_.next_token();
-      if (!token.empty()) face_colors_.push_item(number(token, "a colour"));
+      if (!token.empty()) face_colors_.push_item(number(token, say("a colour")));
     }
     face_colors_.end_list();
     if (!is_face) face_colors_.pop_row();

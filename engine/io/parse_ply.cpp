@@ -54,7 +54,8 @@ VertexPlan plan_vertices(const PlyElement& element, const ParseErrors& errors) {
     plan.scales[static_cast<std::size_t>(role)] = full_intensity(property.type);
   }
   if (!plan.present[0] || !plan.present[1] || !plan.present[2]) {
-    errors.fail("the vertices have no coordinates x, y and z", element.place, "Export the mesh with vertex positions.");
+    errors.fail(say("the vertices have no coordinates x, y and z"), element.place,
+                say("Export the mesh with vertex positions."));
   }
   return plan;
 }
@@ -81,11 +82,11 @@ FacePlan plan_faces(const PlyElement& element, const ParseErrors& errors) {
     const PlyProperty& property = element.properties[i];
     if (property.name != "vertex_indices" && property.name != "vertex_index") continue;
     if (!property.is_list || !is_integer(property.type)) {
-      errors.fail("the faces' vertex indices are not a list of whole numbers", element.place);
+      errors.fail(say("the faces' vertex indices are not a list of whole numbers"), element.place);
     }
     return {i};
   }
-  errors.fail("the faces have no list vertex_indices", element.place, "Export the mesh with polygon faces.");
+  errors.fail(say("the faces have no list vertex_indices"), element.place, say("Export the mesh with polygon faces."));
 }
 
 constexpr std::size_t rows_in_block = 1 << 16;
@@ -137,10 +138,11 @@ class PlyBody {
  private:
   void require_counts() const {
     if (vertices_ == nullptr) {
-      errors_.fail("the header announces no element \"vertex\"", "", "This PLY file holds something else than a mesh.");
+      errors_.fail(say("the header announces no element \"vertex\""), {},
+                   say("This PLY file holds something else than a mesh."));
     }
     constexpr std::uint64_t most = std::numeric_limits<int>::max();
-    if (vertices_->count > most) errors_.fail("more than 2147483647 vertices", vertices_->place);
+    if (vertices_->count > most) errors_.fail(say("more than 2147483647 vertices"), vertices_->place);
   }
 
   void read_vertices(const PlyElement& element) {
@@ -175,8 +177,12 @@ class PlyBody {
     } else if (floats && Rows::is_text) {
       const FloatRounding rounding = round_to_floats(soup_.points);
       floats = rounding.in_range;
-      const std::string what = "vertices of more digits than the single precision that the file declares, ";
-      count_not_kept(soup_.oddities, what + (floats ? "rounded to it (--double keeps them)" : "kept"), rounding.longer);
+      count_not_kept(
+          soup_.oddities,
+          floats ? say("vertices of more digits than the single precision that the file declares, rounded to it "
+                       "(--double keeps them)")
+                 : say("vertices of more digits than the single precision that the file declares, kept"),
+          rounding.longer);
     }
     if (floats) soup_.attributes.coordinates = PlyType::float32;
   }
@@ -314,7 +320,7 @@ class PlyBody {
       }
     }
     const Vec3 point(values[0], values[1], values[2]);
-    soup_.points.push_back(lone_.checked(point, static_cast<int>(v), v, rows_.place()));
+    soup_.points.push_back(lone_.checked(point, static_cast<int>(v), v, [&] { return rows_.place(); }));
     if (plan.has_colors()) add_color(plan, values);
   }
 
@@ -415,7 +421,7 @@ class PlyBody {
     }
     for (std::size_t i = 0; i < element.properties.size(); ++i)
       if (i != plan.corners_at)
-        count_not_kept(soup_.not_kept, "strip properties \"" + element.properties[i].name + "\"", element.count);
+        count_not_kept(soup_.not_kept, say("strip properties \"%1\"", element.properties[i].name), element.count);
   }
 
   void read_strip(const PlyProperty& list, std::uint64_t row) {
@@ -446,7 +452,7 @@ class PlyBody {
   void drop_columns_of_some_faces() {
     std::erase_if(soup_.attributes.faces, [&](const AttributeColumn& column) {
       if (column.rows() == soup_.polygon_count()) return false;
-      count_not_kept(soup_.not_kept, "face properties \"" + column.name() + "\"", column.rows());
+      count_not_kept(soup_.not_kept, say("face properties \"%1\"", column.name()), column.rows());
       return true;
     });
   }
@@ -474,8 +480,7 @@ class PlyBody {
 
   void require_vertex(std::int64_t index, std::uint64_t row) const {
     if (index >= 0 && static_cast<std::uint64_t>(index) < vertices_->count) return;
-    errors_.bad_index(row, std::to_string(index), "there are " + std::to_string(vertices_->count) + ", from 0 on",
-                      rows_.place());
+    errors_.bad_index(row, index, say("there are %1, from 0 on", vertices_->count), rows_.place());
   }
 
   ParseErrors errors_;

@@ -51,7 +51,7 @@ class AsciiStl {
       const std::string_view word = cursor_.next_token_across_lines();
       if (word.empty()) break;
       if (equals_ignoring_case(word, "solid")) {
-        if (inside) count_not_kept(soup_.oddities, missing_end);
+        if (inside) count_not_kept(soup_.oddities, say(missing_end));
         inside = true;
         names.names.emplace_back(cursor_.rest_of_line());
         cursor_.skip_line();
@@ -64,16 +64,16 @@ class AsciiStl {
       } else if (is_remark(word)) {
         skip_remark();
       } else {
-        fail_word(word, inside ? "\"facet\" or \"endsolid\"" : "\"solid\"");
+        fail_word(word, inside ? say("\"facet\" or \"endsolid\"") : verbatim("\"solid\""));
       }
     }
-    if (inside) count_not_kept(soup_.oddities, missing_end);
+    if (inside) count_not_kept(soup_.oddities, say(missing_end));
     soup_.attributes.names.push_back(std::move(names));
     return std::move(soup_);
   }
 
  private:
-  static constexpr const char* missing_end = "missing \"endsolid\" (the file may be cut off)";
+  static constexpr const char* missing_end = text_to_say("missing \"endsolid\" (the file may be cut off)");
 
   void read_facet() {
     std::string_view word = next_word();
@@ -81,7 +81,7 @@ class AsciiStl {
       for (int i = 0; i < 3; ++i) cursor_.next_token_across_lines();  // not needed: it follows from the corners
       word = next_word();
     }
-    if (!equals_ignoring_case(word, "outer")) fail_word(word, in_quotes("outer"));
+    if (!equals_ignoring_case(word, "outer")) fail_word(word, verbatim(in_quotes("outer")));
     expect("loop");
     for (std::size_t corner = 0; corner < 3; ++corner) {
       expect("vertex");
@@ -107,7 +107,7 @@ class AsciiStl {
   }
 
   void skip_remark() {
-    count_not_kept(soup_.oddities, "remarks between the facets");
+    count_not_kept(soup_.oddities, say("remarks between the facets"));
     cursor_.skip_line();
   }
 
@@ -117,14 +117,14 @@ class AsciiStl {
     if (!rest.next_line()) return;
     const std::string_view word = rest.next_token();
     if (word.empty() || equals_ignoring_case(word, statement) || equals_ignoring_case(word, "endsolid")) return;
-    count_not_kept(soup_.oddities, "words after \"endloop\" or \"endfacet\"");
+    count_not_kept(soup_.oddities, say("words after \"endloop\" or \"endfacet\""));
     cursor_.skip_line();
   }
 
   double coordinate() {
     const std::string_view token = cursor_.next_token();
     const std::optional<double> value = parse_double(token);
-    if (!value) errors_.not_a_number(token, "a coordinate", cursor_.place());
+    if (!value) errors_.not_a_number(token, say("a coordinate"), cursor_.place());
     return *value;
   }
 
@@ -140,13 +140,13 @@ class AsciiStl {
 
   void expect(std::string_view word) {
     const std::string_view token = next_word();
-    if (!equals_ignoring_case(token, word)) fail_word(token, in_quotes(word));
+    if (!equals_ignoring_case(token, word)) fail_word(token, verbatim(in_quotes(word)));
   }
 
-  [[noreturn]] void fail_word(std::string_view word, const std::string& expected) const {
-    if (word.empty()) errors_.truncated("facet " + std::to_string(soup_.polygon_count()), cursor_.place());
-    errors_.fail(in_quotes(word) + " stands where " + expected + " should be", cursor_.place(),
-                 "Correct that place, or export the mesh again.");
+  [[noreturn]] void fail_word(std::string_view word, const Message& expected) const {
+    if (word.empty()) errors_.truncated(say("facet %1", soup_.polygon_count()), cursor_.place());
+    errors_.fail(say("%1 stands where %2 should be", in_quotes(word), expected), cursor_.place(),
+                 say("Correct that place, or export the mesh again."));
   }
 
   ParseErrors errors_;
@@ -166,30 +166,28 @@ std::size_t require_facet_count(const FileContent& file, const ParseErrors& erro
   using namespace std::string_view_literals;
   const std::string_view bytes = file.bytes;
   if (bytes.size() < header_bytes)
-    errors.truncated("the header of a binary STL file", "byte " + std::to_string(bytes.size()));
+    errors.truncated(say("the header of a binary STL file"), say("byte %1", bytes.size()));
   std::uint64_t count = little_endian_word(bytes.data() + 80);
   const std::uint64_t left = bytes.size() - header_bytes;
   if (count == 0 && left >= facet_bytes && left % facet_bytes == 0) {  // written before it was known
     count = left / facet_bytes;
-    count_not_kept(oddities, "count of triangles that is 0: taken from the file's size");
+    count_not_kept(oddities, say("count of triangles that is 0: taken from the file's size"));
   }
   const std::uint64_t needed = header_bytes + facet_bytes * count;
   if (bytes.size() < needed) {
-    errors.fail("announces " + std::to_string(count) + " triangles, which take " + std::to_string(needed) +
-                    " bytes, but the file has " + std::to_string(bytes.size()),
-                "byte 80", "It is incomplete or damaged; export or copy it again.");
+    errors.fail(say("announces %1 triangles, which take %2 bytes, but the file has %3", count, needed, bytes.size()),
+                say("byte 80"), say("It is incomplete or damaged; export or copy it again."));
   }
   const std::string_view rest = bytes.substr(needed);
   const bool is_blank = rest.find_first_not_of("\0 \t\r\n"sv) == std::string_view::npos;
   const bool is_small = rest.size() < std::max<std::uint64_t>(1000, needed / 10);
   if (!is_blank && is_small && rest.size() % facet_bytes != 0)
-    count_not_kept(oddities, "bytes after the last triangle, left out", rest.size());
+    count_not_kept(oddities, say("bytes after the last triangle, left out"), rest.size());
   else if (rest.size() >= facet_bytes && !is_blank) {
-    errors.fail("announces " + std::to_string(count) + " triangles, but " + std::to_string(rest.size()) +
-                    " more bytes follow them",
-                "byte 80", "The count and the data do not belong together; export the mesh again.");
+    errors.fail(say("announces %1 triangles, but %2 more bytes follow them", count, rest.size()), say("byte 80"),
+                say("The count and the data do not belong together; export the mesh again."));
   }
-  if (count > std::numeric_limits<int>::max() / 3) errors.fail("more than 715827882 triangles", "byte 80");
+  if (count > std::numeric_limits<int>::max() / 3) errors.fail(say("more than 715827882 triangles"), say("byte 80"));
   return count;
 }
 
@@ -216,7 +214,7 @@ PolygonSoup parse_stl_binary(const FileContent& file) {
         bytes += 4;
       }
       if (!point.allFinite()) {
-        errors.not_finite(3 * facet + corner, "byte " + std::to_string(corners_at + 12 * corner));
+        errors.not_finite(3 * facet + corner, say("byte %1", corners_at + 12 * corner));
       }
       welder.add_corner(point);
     }

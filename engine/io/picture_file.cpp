@@ -22,20 +22,20 @@ namespace {
 
 constexpr unsigned most_pixels_a_side = 16384;
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem) {
-  throw ReadError(path, problem, "", "Save the picture again as PNG or JPEG.");
+[[noreturn]] void fail(const std::filesystem::path& path, const Message& problem) {
+  throw ReadError(path, problem, {}, say("Save the picture again as PNG or JPEG."));
 }
 
 void require_size(const std::filesystem::path& path, unsigned width, unsigned height) {
   if (width == 0 || height == 0 || width > most_pixels_a_side || height > most_pixels_a_side)
-    fail(path, "a picture of " + std::to_string(width) + " by " + std::to_string(height) + " pixels");
+    fail(path, say("a picture of %1 by %2 pixels", width, height));
 }
 
 Picture read_png(const FileContent& file) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&image, file.bytes.data(), file.bytes.size()))
-    fail(file.path, std::string("the picture is damaged: ") + image.message);
+    fail(file.path, say("the picture is damaged: %1", image.message));
   if (image.width > most_pixels_a_side || image.height > most_pixels_a_side) {
     const unsigned width = image.width, height = image.height;
     png_image_free(&image);
@@ -44,7 +44,7 @@ Picture read_png(const FileContent& file) {
   image.format = PNG_FORMAT_RGBA;
   Picture picture(static_cast<int>(image.width), static_cast<int>(image.height));
   if (!png_image_finish_read(&image, nullptr, picture.pixels.data(), 0, nullptr))
-    fail(file.path, std::string("the picture is damaged: ") + image.message);
+    fail(file.path, say("the picture is damaged: %1", image.message));
   return picture;
 }
 
@@ -96,7 +96,7 @@ Picture read_jpeg(const FileContent& file) {
   std::vector<unsigned char> row;
   const bool done = decode(file, state, errors, picture, row);
   jpeg_destroy_decompress(&state);
-  if (!done) fail(file.path, std::string("the picture cannot be read: ") + errors.message);
+  if (!done) fail(file.path, say("the picture cannot be read: %1", errors.message));
   return picture;
 }
 
@@ -107,7 +107,7 @@ Picture read_picture(const std::filesystem::path& path) { return read_picture(lo
 Picture read_picture(const FileContent& file) {
   if (file.bytes.substr(0, 4) == "\x89PNG") return read_png(file);
   if (file.bytes.substr(0, 2) == "\xFF\xD8") return read_jpeg(file);
-  fail(file.path, "this is neither PNG nor JPEG");
+  fail(file.path, say("this is neither PNG nor JPEG"));
 }
 
 void write_png(std::ostream& stream, const Picture& picture) {
@@ -124,7 +124,7 @@ void write_png(std::ostream& stream, const Picture& picture) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string encoded(size, '\0');
   if (!png_image_write_to_memory(&image, encoded.data(), &size, 0, bytes.data(), 0, nullptr))
-    throw std::runtime_error(std::string("the picture cannot be written: ") + image.message);
+    throw Error(say("the picture cannot be written: %1", image.message));
   stream.write(encoded.data(), static_cast<std::streamsize>(size));
 }
 

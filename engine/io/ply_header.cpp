@@ -47,14 +47,14 @@ class HeaderReader {
   PlyHeader read() {
     cursor_.next_line();
     while (cursor_.next_token() != "ply") {  // blank lines before it are all that detect_format lets through
-      if (!cursor_.next_line()) errors_.fail("does not begin with \"ply\"", "byte 0");
+      if (!cursor_.next_line()) errors_.fail(say("does not begin with \"ply\""), say("byte 0"));
     }
     while (cursor_.next_line()) {
       const std::string_view word = cursor_.next_token();
       if (word == "end_header") return finish();
       read_line(word);
     }
-    errors_.truncated("the header: there is no \"end_header\"", cursor_.place());
+    errors_.truncated(say("the header: there is no \"end_header\""), cursor_.place());
   }
 
  private:
@@ -71,8 +71,8 @@ class HeaderReader {
     } else if (word == "property") {
       read_property();
     } else {
-      errors_.fail(in_quotes(word) + " is not a word of a PLY header", cursor_.place(),
-                   "The file is damaged or is something else under this name.");
+      errors_.fail(say("%1 is not a word of a PLY header", in_quotes(word)), cursor_.place(),
+                   say("The file is damaged or is something else under this name."));
     }
   }
 
@@ -86,10 +86,10 @@ class HeaderReader {
     } else if (encoding == "binary_big_endian") {
       header_.encoding = PlyEncoding::big_endian;
     } else {
-      errors_.fail("unknown PLY format " + in_quotes(encoding), cursor_.place());
+      errors_.fail(say("unknown PLY format %1", in_quotes(encoding)), cursor_.place());
     }
-    if (version != "1.0") errors_.fail("unknown PLY version " + in_quotes(version), cursor_.place());
-    if (has_format_) errors_.fail("a second format line", cursor_.place());
+    if (version != "1.0") errors_.fail(say("unknown PLY version %1", in_quotes(version)), cursor_.place());
+    if (has_format_) errors_.fail(say("a second format line"), cursor_.place());
     has_format_ = true;
   }
 
@@ -100,40 +100,40 @@ class HeaderReader {
     const std::string_view count = cursor_.next_token();
     const std::optional<std::int64_t> number = parse_integer(count);
     if (element.name.empty() || !number || *number < 0)
-      errors_.not_a_number(count, "a count of elements", cursor_.place());
+      errors_.not_a_number(count, say("a count of elements"), cursor_.place());
     if (!element_names_.insert(element.name).second)
-      errors_.fail("a second element " + in_quotes(element.name), cursor_.place());
+      errors_.fail(say("a second element %1", in_quotes(element.name)), cursor_.place());
     element.count = static_cast<std::uint64_t>(*number);
     header_.elements.push_back(std::move(element));
     property_names_.clear();
   }
 
   void read_property() {
-    if (header_.elements.empty()) errors_.fail("a property before any element", cursor_.place());
+    if (header_.elements.empty()) errors_.fail(say("a property before any element"), cursor_.place());
     PlyProperty property;
     std::string_view word = cursor_.next_token();
     if (word == "list") {
       property.is_list = true;
       property.count_type = require_type(cursor_.next_token());
-      if (!is_integer(property.count_type)) errors_.fail("a list counted by a fraction", cursor_.place());
+      if (!is_integer(property.count_type)) errors_.fail(say("a list counted by a fraction"), cursor_.place());
       word = cursor_.next_token();
     }
     property.type = require_type(word);
     property.name = cursor_.next_token();
-    if (property.name.empty()) errors_.fail("a property without a name", cursor_.place());
+    if (property.name.empty()) errors_.fail(say("a property without a name"), cursor_.place());
     if (!property_names_.insert(property.name).second)
-      errors_.fail("a second property " + in_quotes(property.name), cursor_.place());
+      errors_.fail(say("a second property %1", in_quotes(property.name)), cursor_.place());
     header_.elements.back().properties.push_back(std::move(property));
   }
 
   PlyType require_type(std::string_view word) {
     const std::optional<PlyType> type = ply_type(word);
-    if (!type) errors_.fail("unknown PLY type " + in_quotes(word), cursor_.place());
+    if (!type) errors_.fail(say("unknown PLY type %1", in_quotes(word)), cursor_.place());
     return *type;
   }
 
   PlyHeader finish() {
-    if (!has_format_) errors_.fail("the header has no format line", cursor_.place());
+    if (!has_format_) errors_.fail(say("the header has no format line"), cursor_.place());
     header_.body_offset = body_offset();
     header_.lines = cursor_.line_number();
     const std::uint64_t bytes = text_.size() - header_.body_offset;
@@ -141,8 +141,7 @@ class HeaderReader {
       const std::uint64_t row = element.least_row_bytes(header_.encoding);
       // The last row of a text needs no line end: hence the one byte more.
       const bool too_many = row == 0 ? false : element.count > (bytes + 1) / row;
-      if (too_many)
-        errors_.too_many("rows of " + in_quotes(element.name), std::to_string(element.count), element.place);
+      if (too_many) errors_.too_many(say("rows of %1", in_quotes(element.name)), element.count, element.place);
     }
     return std::move(header_);
   }

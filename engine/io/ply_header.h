@@ -2,6 +2,7 @@
 // The header of a PLY file: which elements follow, how many, and what each row holds.
 #pragma once
 
+#include "core/message.h"
 #include "io/file_content.h"
 #include "mesh/scan_attributes.h"
 
@@ -26,7 +27,7 @@ struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
-  std::string place;  ///< "line 7", where it was announced
+  Message place;  ///< "line 7", where it was announced
 
   /// The least that one row takes: every list empty.
   std::uint64_t least_row_bytes(PlyEncoding encoding) const;

@@ -2,6 +2,7 @@
 // The body of a PLY file, value by value: one source for text and one for both binaries, with the same functions.
 #pragma once
 
+#include "core/message.h"
 #include "io/parse_errors.h"
 #include "io/ply_header.h"
 #include "io/text_cursor.h"
@@ -32,7 +33,7 @@ class PlyTextRows {
   double number(PlyType) {
     const std::string_view token = next();
     const std::optional<double> value = parse_double(token);
-    if (!value) errors_.not_a_number(token, "a number", place());
+    if (!value) errors_.not_a_number(token, say("a number"), place());
     return *value;
   }
 
@@ -41,14 +42,14 @@ class PlyTextRows {
     const std::string_view token = next();
     if (const std::optional<double> value = parse_double(token)) return *value;
     if (token.find('#') == std::string_view::npos && token.find("nan") == std::string_view::npos)
-      errors_.not_a_number(token, "a number", place());
+      errors_.not_a_number(token, say("a number"), place());
     return std::numeric_limits<double>::quiet_NaN();
   }
 
   std::int64_t integer(PlyType) {
     const std::string_view token = next();
     const std::optional<std::int64_t> value = parse_integer(token);
-    if (!value) errors_.not_a_number(token, "a whole number", place());
+    if (!value) errors_.not_a_number(token, say("a whole number"), place());
     return *value;
   }
 
@@ -57,9 +58,9 @@ class PlyTextRows {
     const auto most =
         (std::uint64_t{1} << (8 * size_in_bytes(list.count_type) - (is_signed(list.count_type) ? 1 : 0))) - 1;
     if (length < 0 || static_cast<std::uint64_t>(length) > most)
-      errors_.fail("a list of " + std::to_string(length) + " items", place());
+      errors_.fail(say("a list of %1 items", length), place());
     if (static_cast<std::uint64_t>(length) > cursor_.bytes_left()) {
-      errors_.truncated("a list of " + std::to_string(length) + " items", place());
+      errors_.truncated(say("a list of %1 items", length), place());
     }
     return static_cast<std::uint64_t>(length);
   }
@@ -67,16 +68,16 @@ class PlyTextRows {
   void end_row() {
     const std::string_view token = cursor_.next_token();
     if (!token.empty()) {
-      errors_.fail("this row holds more values than the header says, from " + in_quotes(token) + " on", place(),
-                   "The header and the data do not belong together; export the mesh again.");
+      errors_.fail(say("this row holds more values than the header says, from %1 on", in_quotes(token)), place(),
+                   say("The header and the data do not belong together; export the mesh again."));
     }
   }
 
   void end_body(std::uint64_t) {
     const std::string_view token = cursor_.next_token_across_lines();
     if (!token.empty()) {
-      errors_.fail("there is more data than the header announces", place(),
-                   "The header and the data do not belong together; export the mesh again.");
+      errors_.fail(say("there is more data than the header announces"), place(),
+                   say("The header and the data do not belong together; export the mesh again."));
     }
   }
 
@@ -84,14 +85,13 @@ class PlyTextRows {
   std::string_view next_lines() const { return cursor_.next_lines(); }
   void skip_lines(std::size_t bytes, std::size_t lines) { cursor_.skip_lines(bytes, lines); }
 
-  std::string place() const { return "line " + std::to_string(header_lines_ + cursor_.line_number()); }
+  Message place() const { return say("line %1", header_lines_ + cursor_.line_number()); }
 
  private:
   std::string_view next() {
     const std::string_view token = cursor_.next_token_across_lines();
     if (token.empty()) {
-      errors_.truncated(element_->name + " " + std::to_string(row_) + " of " + std::to_string(element_->count),
-                        place());
+      errors_.truncated(say("%1 %2 of %3", element_->name, row_, element_->count), place());
     }
     return token;
   }
@@ -137,14 +137,14 @@ class PlyBinaryRows {
       case PlyType::float32:
       case PlyType::float64: break;
     }
-    errors_.fail("a fraction stands where a whole number should be", place());
+    errors_.fail(say("a fraction stands where a whole number should be"), place());
   }
 
   std::uint64_t list_length(const PlyProperty& list) {
     const std::int64_t length = integer(list.count_type);
-    if (length < 0) errors_.fail("a list of " + std::to_string(length) + " items", place());
+    if (length < 0) errors_.fail(say("a list of %1 items", length), place());
     if (static_cast<std::uint64_t>(length) > (bytes_.size() - at_) / size_in_bytes(list.type)) {
-      errors_.truncated("a list of " + std::to_string(length) + " items", place());
+      errors_.truncated(say("a list of %1 items", length), place());
     }
     return static_cast<std::uint64_t>(length);
   }
@@ -156,8 +156,8 @@ class PlyBinaryRows {
     using namespace std::string_view_literals;
     const std::string_view rest = bytes_.substr(at_);
     if (rest.size() < least_row_bytes || rest.find_first_not_of("\0 \t\r\n"sv) == std::string_view::npos) return;
-    errors_.fail(std::to_string(rest.size()) + " bytes more than the header announces", place(),
-                 "The header and the data do not belong together; export the mesh again.");
+    errors_.fail(say("%1 bytes more than the header announces", rest.size()), place(),
+                 say("The header and the data do not belong together; export the mesh again."));
   }
 
   static constexpr bool is_text = false;
@@ -165,7 +165,7 @@ class PlyBinaryRows {
   std::string_view native_bytes() const { return swap_ ? std::string_view() : bytes_.substr(at_); }
   void skip(std::size_t count) { at_ += count; }
 
-  std::string place() const { return "byte " + std::to_string(at_ + offset_); }
+  Message place() const { return say("byte %1", at_ + offset_); }
 
  private:
   template <class T>
@@ -184,8 +184,7 @@ class PlyBinaryRows {
 
   void require(std::uint64_t count) const {
     if (count > bytes_.size() - at_) {
-      errors_.truncated(element_->name + " " + std::to_string(row_) + " of " + std::to_string(element_->count),
-                        place());
+      errors_.truncated(say("%1 %2 of %3", element_->name, row_, element_->count), place());
     }
   }
 

@@ -2,6 +2,7 @@
 // What the parsers of all formats hand over: points and polygons exactly as the file holds them.
 #pragma once
 
+#include "core/message.h"
 #include "core/types.h"
 #include "io/file_content.h"
 #include "io/not_kept.h"
@@ -50,7 +51,7 @@ struct PolygonSoup {
       return true;
     }
     corners.resize(begin);
-    count_not_kept(oddities, "faces of fewer than three corners, left out");
+    count_not_kept(oddities, say("faces of fewer than three corners, left out"));
     return false;
   }
   std::span<const int> polygon(std::size_t k) const {

@@ -64,9 +64,9 @@ PolygonSoup parse(const FileContent& file, MeshFormat format, FloatText float_te
 
 void require_faces(const std::filesystem::path& path, const PolygonSoup& soup) {
   if (soup.polygon_count() > 0) return;
-  const std::string cure = "Loopmend needs a surface: export the mesh together with its faces.";
-  if (soup.points.empty()) throw ReadError(path, "holds no points and no faces", "", cure);
-  throw ReadError(path, "holds points but no faces", std::to_string(soup.points.size()) + " points", cure);
+  const Message cure = say("Loopmend needs a surface: export the mesh together with its faces.");
+  if (soup.points.empty()) throw ReadError(path, say("holds no points and no faces"), {}, cure);
+  throw ReadError(path, say("holds points but no faces"), say("%1 points", soup.points.size()), cure);
 }
 
 /// @param face_of  is set to the polygon of each triangle where some have more corners
@@ -74,7 +74,7 @@ Triangles triangulate(const std::filesystem::path& path, const PolygonSoup& soup
   const std::size_t count = soup.corners.size() - 2 * soup.polygon_count();
   constexpr std::size_t most = std::numeric_limits<int>::max() / 3;  // corners are numbered, too
   if (count > most || soup.corners.size() > std::numeric_limits<int>::max())
-    throw ReadError(path, "more than 715827882 triangles", "", "Reduce it first.");
+    throw ReadError(path, say("more than 715827882 triangles"), {}, say("Reduce it first."));
   Triangles triangles;
   if (soup.has_only_triangles()) {
     static_assert(sizeof(Triangle) == 3 * sizeof(int));
@@ -306,10 +306,10 @@ ImportedMesh read_mesh(const std::filesystem::path& path, CoincidentVertices coi
   try {
     return import(path, coincident, float_text);
   } catch (const std::bad_alloc&) {
-    throw ReadError(path, "the mesh is too large for the memory of this computer", "",
-                    "Close other programs, or reduce it.");
+    throw ReadError(path, say("the mesh is too large for the memory of this computer"), {},
+                    say("Close other programs, or reduce it."));
   } catch (const std::length_error&) {
-    throw ReadError(path, "the mesh is too large for this program", "", "Reduce it first.");
+    throw ReadError(path, say("the mesh is too large for this program"), {}, say("Reduce it first."));
   }
 }
 

@@ -2,6 +2,8 @@
 // Walking through the text of a mesh file: lines, tokens, numbers. Independent of the locale; cannot run past the end.
 #pragma once
 
+#include "core/message.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -57,7 +59,7 @@ class TextCursor {
   bool at_line_end() const { return at_ == line_end_; }
   std::size_t line_number() const { return line_number_; }
   /// "line 12", for error messages.
-  std::string place() const { return "line " + std::to_string(line_number_); }
+  Message place() const { return say("line %1", line_number_); }
   /// How many bytes of text there are from the next token on.
   std::size_t bytes_left() const { return text_.size() - at_; }
   /// Where in the text the next line begins.

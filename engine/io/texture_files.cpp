@@ -38,7 +38,7 @@ TextureFiles::TextureFiles(const ScanAttributes& scan, const fs::path& folder) :
     try {
       libraries_.push_back(read_material_library(folder / path_of_text(name)));
     } catch (const ReadError& error) {
-      problems_.emplace_back(error.what());
+      problems_.push_back(error.message());
     }
   }
   if (scan.materials)

@@ -2,6 +2,7 @@
 // Which picture, or which plain colour, the faces of a scan have by its material files.
 #pragma once
 
+#include "core/message.h"
 #include "core/picture.h"
 #include "core/types.h"
 #include "io/material_library.h"
@@ -40,7 +41,7 @@ class TextureFiles {
   /// PLY: the face property with the numbers of pictures; null: none.
   const AttributeColumn* picture_numbers() const { return numbers_; }
   /// Why material files cannot be used.
-  const std::vector<std::string>& problems() const { return problems_; }
+  const std::vector<Message>& problems() const { return problems_; }
 
   /// The name in a remark "comment TextureFile NAME" of PLY; empty where the remark is another one.
   static std::string name_in(const std::string& remark);
@@ -52,7 +53,8 @@ class TextureFiles {
   const ScanAttributes& scan_;
   std::filesystem::path folder_;
   std::vector<MaterialLibrary> libraries_;
-  std::vector<std::string> ply_pictures_, problems_;
+  std::vector<std::string> ply_pictures_;
+  std::vector<Message> problems_;
   const AttributeColumn* numbers_ = nullptr;
 };
 

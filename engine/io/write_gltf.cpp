@@ -259,7 +259,8 @@ class GltfWriter {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto x = static_cast<float>(p[static_cast<Eigen::Index>(k)]);
         if (!std::isfinite(x))
-          throw WriteError(path_, "the coordinates are too large for glTF", "Save as PLY, or scale the mesh down.");
+          throw WriteError(path_, say("the coordinates are too large for glTF"),
+                           say("Save as PLY, or scale the mesh down."));
         low[k] = std::min(low[k], x);
         high[k] = std::max(high[k], x);
         buffer_.put(x);
@@ -304,7 +305,7 @@ class GltfWriter {
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t binary = (buffer_.bytes().size() + 3) / 4 * 4, length = 12 + 8 + text.size() + 8 + binary;
     if (length > std::numeric_limits<std::uint32_t>::max())
-      throw WriteError(path_, "the mesh takes more than the 4 GB of a GLB file", "Save as PLY.");
+      throw WriteError(path_, say("the mesh takes more than the 4 GB of a GLB file"), say("Save as PLY."));
     out << "glTF";
     out.little_endian(std::uint32_t{2});
     out.little_endian(static_cast<std::uint32_t>(length));

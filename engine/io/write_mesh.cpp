@@ -3,8 +3,8 @@
 
 #include "core/error.h"
 #include "io/atomic_file.h"
-#include "io/format_writers.h"
 #include "io/file_content.h"
+#include "io/format_writers.h"
 #include "io/gzip.h"
 #include "io/single_precision.h"
 #include "io/text_cursor.h"
@@ -24,15 +24,14 @@ namespace {
 void require_valid(const TriangleSoup& soup) {
   const auto count = static_cast<int>(soup.points.size());
   if (!soup.colors.empty() && soup.colors.size() != soup.points.size()) {
-    throw InvalidArgument("write_mesh: there are colours, but not one per point");
+    throw InvalidArgument(say("write_mesh: there are colours, but not one per point"));
   }
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
-    if (!soup.points[v].allFinite()) throw InvalidArgument("write_mesh: point " + std::to_string(v) + " is not finite");
+    if (!soup.points[v].allFinite()) throw InvalidArgument(say("write_mesh: point %1 is not finite", v));
   }
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     for (const int v : soup.triangles[f]) {
-      if (v < 0 || v >= count)
-        throw InvalidArgument("write_mesh: triangle " + std::to_string(f) + " has an index out of range");
+      if (v < 0 || v >= count) throw InvalidArgument(say("write_mesh: triangle %1 has an index out of range", f));
     }
   }
 }
@@ -41,7 +40,8 @@ void require_valid(const TriangleSoup& soup) {
 void require_float_range(const std::filesystem::path& path, const TriangleSoup& soup) {
   for (const Vec3& point : soup.points) {
     if (std::isfinite(static_cast<float>(point.cwiseAbs().maxCoeff()))) continue;
-    throw WriteError(path, "the coordinates are too large for binary STL", "Save as PLY, or scale the mesh down.");
+    throw WriteError(path, say("the coordinates are too large for binary STL"),
+                     say("Save as PLY, or scale the mesh down."));
   }
 }
 
@@ -57,8 +57,8 @@ Format format_of(const std::filesystem::path& path) {
   if (extension == ".gltf") return Format::gltf;
   if (extension == ".3mf") return Format::three_mf;
   throw WriteError(
-      path, extension.empty() ? "the name has no extension" : "unknown format \"" + extension + "\"",
-      "Choose a name that ends in .ply, .stl, .obj, .off, .glb, .gltf or .3mf, compressed .ply.gz and so on.");
+      path, extension.empty() ? say("the name has no extension") : say("unknown format \"%1\"", extension),
+      say("Choose a name that ends in .ply, .stl, .obj, .off, .glb, .gltf or .3mf, compressed .ply.gz and so on."));
 }
 
 void check_mesh_writable(const std::filesystem::path& path) {

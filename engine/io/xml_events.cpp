@@ -56,9 +56,9 @@ struct XmlReader::State {
   std::size_t fed = 0;
   std::exception_ptr thrown{};
 
-  std::string place() const { return "line " + std::to_string(current_line(parser)) + " of " + part; }
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw ReadError(file.path, problem, place(), "The file is damaged or incomplete; export or copy it again.");
+  Message place() const { return say("line %1 of %2", current_line(parser), part); }
+  [[noreturn]] void fail(const Message& problem) const {
+    throw ReadError(file.path, problem, place(), say("The file is damaged or incomplete; export or copy it again."));
   }
 
   /// Nothing may be thrown through expat.
@@ -76,8 +76,7 @@ struct XmlReader::State {
   static void begin(void* data, const char* name, const char** attributes) {
     auto& state = *static_cast<State*>(data);
     state.guarded([&] {
-      if (++state.depth > deepest_element)
-        state.fail("the XML is nested more than " + std::to_string(deepest_element) + " deep");
+      if (++state.depth > deepest_element) state.fail(say("the XML is nested more than %1 deep", deepest_element));
       state.handlers.begin(local_name(name), XmlAttributes(attributes));
     });
   }
@@ -94,7 +93,7 @@ struct XmlReader::State {
   }
   static void doctype(void* data, const char*, const char*, const char*, int) {
     auto& state = *static_cast<State*>(data);
-    state.guarded([&] { state.fail("the XML has a document type, which 3MF forbids"); });
+    state.guarded([&] { state.fail(say("the XML has a document type, which 3MF forbids")); });
   }
 };
 
@@ -111,7 +110,7 @@ XmlReader::~XmlReader() { XML_ParserFree(state_->parser); }
 
 void XmlReader::feed(std::string_view piece) { parse(piece, false); }
 void XmlReader::finish() { parse({}, true); }
-std::string XmlReader::place() const { return state_->place(); }
+Message XmlReader::place() const { return state_->place(); }
 
 void XmlReader::parse(std::string_view piece, bool is_last) {
   const XML_Status status = XML_Parse(state_->parser, piece.data(), static_cast<int>(piece.size()), is_last);
@@ -119,12 +118,12 @@ void XmlReader::parse(std::string_view piece, bool is_last) {
   state_->fed += piece.size();
   if (status == XML_STATUS_OK) {
     const auto done = static_cast<std::size_t>(std::max<std::int64_t>(0, current_byte(state_->parser)));
-    if (state_->fed > done + longest_token) state_->fail("an element of the XML has no end");
+    if (state_->fed > done + longest_token) state_->fail(say("an element of the XML has no end"));
     return;
   }
   const XML_Error error = XML_GetErrorCode(state_->parser);
   if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-  state_->fail(std::string("the XML is damaged: ") + XML_ErrorString(error));
+  state_->fail(say("the XML is damaged: %1", XML_ErrorString(error)));
 }
 
 }  // namespace loopmend

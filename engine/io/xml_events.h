@@ -2,6 +2,7 @@
 // XML read piece by piece, by expat.
 #pragma once
 
+#include "core/message.h"
 #include "io/file_content.h"
 
 #include <functional>
@@ -47,7 +48,7 @@ class XmlReader {
   void feed(std::string_view piece);
   void finish();
   /// "line 12 of 3D/3dmodel.model"
-  std::string place() const;
+  Message place() const;
 
  private:
   struct State;

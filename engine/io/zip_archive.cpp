@@ -42,8 +42,8 @@ ZipArchive::ZipArchive(const FileContent& file) : file_(file), state_(std::make_
   const std::string why = zip_error_strerror(&error);
   if (source) zip_source_free(source);
   zip_error_fini(&error);
-  throw ReadError(file.path, "the ZIP archive is damaged or incomplete (" + why + ")", "",
-                  "Copy or download it again.");
+  throw ReadError(file.path, say("the ZIP archive is damaged or incomplete (%1)", why), {},
+                  say("Copy or download it again."));
 }
 
 ZipArchive::~ZipArchive() {
@@ -61,12 +61,12 @@ std::vector<std::string> ZipArchive::names() const {
 }
 
 void ZipArchive::read(std::string_view name, const std::function<void(std::string_view)>& piece) const {
-  const std::string place = "entry " + in_quotes(name);
-  const auto fail = [&](const std::string& problem, const std::string& cure) {
+  const Message place = say("entry %1", in_quotes(name));
+  const auto fail = [&](const Message& problem, const Message& cure) {
     throw ReadError(file_.path, problem, place, cure);
   };
   const std::optional<zip_uint64_t> index = state_->find(name);
-  if (!index) fail("a part of the archive is missing", "The file is incomplete; export or copy it again.");
+  if (!index) fail(say("a part of the archive is missing"), say("The file is incomplete; export or copy it again."));
   struct Closing {
     zip_file_t* file;
     ~Closing() {
@@ -74,19 +74,20 @@ void ZipArchive::read(std::string_view name, const std::function<void(std::strin
     }
   } entry{zip_fopen_index(state_->zip, *index, 0)};
   if (!entry.file)
-    fail("an entry cannot be unpacked: " + std::string(zip_strerror(state_->zip)), "Export it without encryption.");
+    fail(say("an entry cannot be unpacked: %1", std::string(zip_strerror(state_->zip))),
+         say("Export it without encryption."));
   std::array<char, piece_size> buffer{};
   zip_uint64_t size = 0;
   for (;;) {
     const zip_int64_t count = zip_fread(entry.file, buffer.data(), buffer.size());
     if (count < 0)
-      fail("an entry is damaged: " + std::string(zip_file_strerror(entry.file)), "Copy or download it again.");
+      fail(say("an entry is damaged: %1", std::string(zip_file_strerror(entry.file))),
+           say("Copy or download it again."));
     if (count == 0) return;
     size += static_cast<zip_uint64_t>(count);
     if (size > harmless_size && size / most_ratio > file_.bytes.size())
-      fail("an entry becomes more than " + std::to_string(most_ratio) +
-               " times as large as the file when it is unpacked",
-           "This is no mesh but a trap; do not open it.");
+      fail(say("an entry becomes more than %1 times as large as the file when it is unpacked", most_ratio),
+           say("This is no mesh but a trap; do not open it."));
     piece(std::string_view(buffer.data(), static_cast<std::size_t>(count)));
   }
 }
@@ -97,7 +98,7 @@ std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& 
   zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error);
   zip_t* zip = target ? zip_open_from_source(target, ZIP_CREATE | ZIP_TRUNCATE, &error) : nullptr;
   const auto require = [](bool holds) {
-    if (!holds) throw std::runtime_error("the archive cannot be written: libzip failed");
+    if (!holds) throw Error(say("the archive cannot be written: libzip failed"));
   };
   require(zip != nullptr);
   zip_source_keep(target);

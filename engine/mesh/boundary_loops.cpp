@@ -256,15 +256,12 @@ const char* to_string(LoopKind kind) {
   return "";
 }
 
-std::string why_outer_rim(const BoundaryLoop& loop) {
-  if (loop.kind != LoopKind::outer_rim) return "";
-  char text[160];
-  if (turns_like_a_sheet(loop))
-    std::snprintf(text, sizeof text, "the surface lies within it, as within the outline of a sheet");
-  else
-    std::snprintf(text, sizeof text, "it runs round its whole piece of surface, which is only %.2f loop diameters deep",
-                  loop.depth);
-  return text;
+Message why_outer_rim(const BoundaryLoop& loop) {
+  if (loop.kind != LoopKind::outer_rim) return {};
+  if (turns_like_a_sheet(loop)) return say("the surface lies within it, as within the outline of a sheet");
+  char depth[32];
+  std::snprintf(depth, sizeof depth, "%.2f", loop.depth);
+  return say("it runs round its whole piece of surface, which is only %1 loop diameters deep", depth);
 }
 
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {

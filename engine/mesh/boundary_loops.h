@@ -2,6 +2,7 @@
 // The boundary loops of a surface: what a person sees as holes and outer rims.
 #pragma once
 
+#include "core/message.h"
 #include "mesh/surface_model.h"
 
 #include <string>
@@ -51,7 +52,7 @@ struct BoundaryLoop {
 /// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says.
 bool is_shaped_like_a_hole(const BoundaryLoop& loop);
 
-std::string why_outer_rim(const BoundaryLoop& loop);
+Message why_outer_rim(const BoundaryLoop& loop);
 
 /// All loops, by falling perimeter, then by lowest view vertex.
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model);

@@ -23,8 +23,7 @@ std::vector<std::size_t> facing_loops(const std::vector<FacingPart>& parts) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const FacingPart& part = parts[k];
     if (part.loops.empty())
-      throw InvalidArgument("file " + std::to_string(k + 1) +
-                            " is closed: it has no loop that could be joined to others");
+      throw InvalidArgument(say("file %1 is closed: it has no loop that could be joined to others", k + 1));
     Vec3 others = Vec3::Zero();
     for (std::size_t l = 0; l < parts.size(); ++l)
       if (l != k) others += parts[l].middle / static_cast<double>(parts.size() - 1);

@@ -306,7 +306,7 @@ std::vector<int> components(const Triangles& triangles, std::size_t point_count)
 FlatView flat_view(TriangleSoup& soup, std::optional<VertexSurvey> known, ModelRepairs& repairs) {
   FlatView view;
   VertexSurvey survey = leave_out_unusable(soup, std::move(known), view, repairs);
-  if (view.all(soup).empty()) throw InvalidArgument("no usable face: every face is degenerate");
+  if (view.all(soup).empty()) throw InvalidArgument(say("no usable face: every face is degenerate"));
   view.origin.resize(soup.points.size());
   std::iota(view.origin.begin(), view.origin.end(), 0);
   repairs.non_manifold_edges = survey.non_manifold_edges;

@@ -54,8 +54,9 @@ JoinedParts join_parts(const std::vector<TriangleSoup>& parts) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     for (std::size_t l = 0; l < k; ++l)
       if (const std::size_t cuts = count_cuts(parts[l], parts[k]))
-        throw InvalidArgument("parts " + std::to_string(l + 1) + " and " + std::to_string(k + 1) + " overlap: " +
-                              std::to_string(cuts) + " pairs of their triangles cut each other. Move them apart.");
+        throw InvalidArgument(
+            say("parts %1 and %2 overlap: %3 pairs of their triangles cut each other. Move them apart.", l + 1, k + 1,
+                cuts));
     joined.first_point.push_back(all.points.size());
     append(all, parts[k]);
   }
@@ -82,8 +83,8 @@ std::size_t turn_opposed_pieces(SurfaceModel& model, std::vector<BoundaryLoop>& 
   for (int p : to_turn)
     if (to_keep.count(p))
       throw InvalidArgument(
-          "two of the loops bound one piece of surface, but its inside faces the gap at one of them and its outside at "
-          "the other: no two-sided surface joins them");
+          say("two of the loops bound one piece of surface, but its inside faces the gap at one of them and its "
+              "outside at the other: no two-sided surface joins them"));
   TriangleSoup soup = model.soup;
   std::size_t turned = 0;
   for (std::size_t f = 0; f < piece.size(); ++f)
@@ -102,7 +103,7 @@ std::size_t turn_opposed_pieces(SurfaceModel& model, std::vector<BoundaryLoop>& 
       for (int v : other.vertices) others.insert(next.soup_vertex[v]);
       return others == points;
     });
-    if (same == found.end()) throw InvalidArgument("a loop was lost when its surface was turned round");
+    if (same == found.end()) throw InvalidArgument(say("a loop was lost when its surface was turned round"));
     loop = *same;
   }
   next.repairs = model.repairs;

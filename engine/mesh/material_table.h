@@ -2,6 +2,7 @@
 // Materials and pictures that stand in the scan's own file, as glTF and 3MF have them.
 #pragma once
 
+#include "core/message.h"
 #include "core/types.h"
 
 #include <filesystem>
@@ -18,7 +19,7 @@ struct ScanPicture {
   std::string kind;            ///< media type: "image/png"; empty: not said
   std::string bytes;           ///< empty: `path`
   std::filesystem::path path;  ///< of a file beside the scan's, absolute; empty: `bytes`
-  std::string problem;         ///< a sentence: why there is neither
+  Message problem;             ///< a sentence: why there is neither
 };
 
 struct ScanMaterial {

@@ -25,16 +25,16 @@ std::size_t number_in(const std::string& text, std::size_t count) {
 NamedLoop loop_named(const JoinedParts& parts, const std::string& word) {
   const std::size_t colon = word.find(':');
   if (colon == std::string::npos)
-    throw InvalidArgument("--loops takes FILE:LOOP,FILE:LOOP,..., such as 1:2,2:1, not '" + word + "'");
+    throw InvalidArgument(say("--loops takes FILE:LOOP,FILE:LOOP,..., such as 1:2,2:1, not '%1'", word));
   const std::size_t part = number_in(word.substr(0, colon), parts.loops.size());
   if (part == 0)
-    throw InvalidArgument("--loops " + word + ": there is no file " + word.substr(0, colon) + "; " +
-                          std::to_string(parts.loops.size()) + " were given");
+    throw InvalidArgument(
+        say("--loops %1: there is no file %2; %3 were given", word, word.substr(0, colon), parts.loops.size()));
   const auto& loops = parts.loops[part - 1];
   const std::size_t loop = number_in(word.substr(colon + 1), loops.size());
   if (loop == 0)
-    throw InvalidArgument("--loops " + word + ": file " + std::to_string(part) + " has " +
-                          std::to_string(loops.size()) + " loops; 'loopmend info' lists them");
+    throw InvalidArgument(
+        say("--loops %1: file %2 has %3 loops; 'loopmend info' lists them", word, part, loops.size()));
   return {word, loops[loop - 1]};
 }
 
@@ -68,15 +68,17 @@ std::vector<NamedLoop> choose_part_loops(const JoinedParts& parts, const std::st
   } else {
     const auto& loops = parts.loops.front();
     if (loops.size() != 2)
-      throw InvalidArgument("the file has " + std::to_string(loops.size()) + (loops.size() == 1 ? " loop" : " loops") +
-                            ", not two: name those to be joined, such as --loops 1:1,1:2");
+      throw InvalidArgument(
+          loops.size() == 1
+              ? say("the file has 1 loop, not two: name those to be joined, such as --loops 1:1,1:2")
+              : say("the file has %1 loops, not two: name those to be joined, such as --loops 1:1,1:2", loops.size()));
     for (std::size_t l = 0; l < 2; ++l) chosen.push_back({name_of(0, l), loops[l]});
   }
-  if (chosen.size() < 2) throw InvalidArgument("a blend needs at least two loops: --loops names one");
+  if (chosen.size() < 2) throw InvalidArgument(say("a blend needs at least two loops: --loops names one"));
   for (std::size_t k = 0; k < chosen.size(); ++k)
     for (std::size_t l = 0; l < k; ++l)
       if (chosen[k].loop.number == chosen[l].loop.number)
-        throw InvalidArgument("--loops names loop " + chosen[k].name + " twice");
+        throw InvalidArgument(say("--loops names loop %1 twice", chosen[k].name));
   return chosen;
 }
 

@@ -85,10 +85,10 @@ Triangles collect_triangles(const TriMesh& mesh, const Neighborhood& around) {
 
 void check_sizes(const std::vector<BoundaryLoop>& loops, const std::vector<LoopPatch>& initial_patches) {
   if (loops.size() != initial_patches.size() || loops.empty())
-    throw InvalidArgument("a patch needs one initial patch for each loop, and at least one loop");
+    throw InvalidArgument(say("a patch needs one initial patch for each loop, and at least one loop"));
   for (std::size_t k = 0; k < loops.size(); ++k)
     if (initial_patches[k].points.size() < loops[k].vertices.size())
-      throw InvalidArgument("an initial patch has fewer points than its loop");
+      throw InvalidArgument(say("an initial patch has fewer points than its loop"));
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ Patch make_narrow_patch(const SurfaceModel& model, const std::vector<BoundaryLoo
     for (int v : loop.vertices) box.extend(model.mesh.point(VertexHandle(v)));
   patch.center = box.center();
   patch.scale = box.diagonal().norm();
-  if (!(patch.scale > 0)) throw InvalidArgument("a loop has no extent: all its vertices are in one place");
+  if (!(patch.scale > 0)) throw InvalidArgument(say("a loop has no extent: all its vertices are in one place"));
 
   for (std::size_t k = 0; k < loops.size(); ++k)
     patch.free_count += static_cast<int>(initial_patches[k].points.size() - loops[k].vertices.size());

@@ -21,8 +21,7 @@ std::vector<char> movable(const SurfaceModel& model, const std::vector<int>& ver
   std::vector<char> wanted(points, 0);
   for (int v : vertices) {
     if (v < 0 || v >= points)
-      throw InvalidArgument("the region names vertex " + std::to_string(v) + ", but the vertices are 0 to " +
-                            std::to_string(points - 1));
+      throw InvalidArgument(say("the region names vertex %1, but the vertices are 0 to %2", v, points - 1));
     wanted[v] = 1;
   }
   std::vector<char> free(model.mesh.n_vertices(), 0);
@@ -72,7 +71,7 @@ void check_held(const TriMesh& mesh, const std::vector<char>& free) {
         queue.push_back(w);
       }
     if (fixed.size() < 3)
-      throw InvalidArgument("the region takes in a whole piece of the surface: nothing around it would hold it");
+      throw InvalidArgument(say("the region takes in a whole piece of the surface: nothing around it would hold it"));
   }
 }
 
@@ -122,7 +121,8 @@ Region make_region(const SurfaceModel& model, const std::vector<int>& vertices) 
   const std::vector<int> ring = rings_around(model.mesh, free, order);
   patch.free_count = static_cast<int>(std::count(free.begin(), free.end(), 1));
   if (patch.free_count == 0)
-    throw InvalidArgument("the region has no vertex that could move: it is empty, or lies on the surface's boundary");
+    throw InvalidArgument(
+        say("the region has no vertex that could move: it is empty, or lies on the surface's boundary"));
   check_held(model.mesh, free);
 
   Eigen::AlignedBox3d box;

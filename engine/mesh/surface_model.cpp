@@ -23,9 +23,7 @@ void check_indices(const TriangleSoup& soup) {
   const int n = static_cast<int>(soup.points.size());
   for (std::size_t f = 0; f < soup.triangles.size(); ++f)
     for (int v : soup.triangles[f])
-      if (v < 0 || v >= n)
-        throw InvalidArgument("face " + std::to_string(f) + " names vertex " + std::to_string(v) + ", but there are " +
-                              std::to_string(n) + " vertices");
+      if (v < 0 || v >= n) throw InvalidArgument(say("face %1 names vertex %2, but there are %3 vertices", f, v, n));
 }
 
 /// Some boundary vertices have several fans: the boundary goes on from each to the next.
@@ -61,8 +59,7 @@ std::vector<int> add_faces(const TriangleSoup& soup, const FlatView& view, const
     if (!is_wanted(t)) continue;
     const auto face =
         model.mesh.add_face(VertexHandle(view_of[t[0]]), VertexHandle(view_of[t[1]]), VertexHandle(view_of[t[2]]));
-    if (!face.is_valid())
-      throw InvalidArgument("face " + std::to_string(view.face(k)) + " cannot be joined to its neighbours");
+    if (!face.is_valid()) throw InvalidArgument(say("face %1 cannot be joined to its neighbours", view.face(k)));
     model.soup_face.push_back(view.face(k));
   }
   if (view.is_split) link_all_fans(model.mesh);
@@ -226,17 +223,17 @@ void check_patch_fits(const SurfaceModel& model, const PatchGeometry& patch) {
   const DirectedEdges directed(patch.triangles, static_cast<int>(patch.triangles.size()));
   for (const auto& [a, b] : directed.all())
     if (a < 0 || a >= vertex_count || a == b)
-      throw InvalidArgument("a patch triangle names a vertex that is not there");
-  if (directed.any_twice()) throw InvalidArgument("the patch is not an oriented manifold");
+      throw InvalidArgument(say("a patch triangle names a vertex that is not there"));
+  if (directed.any_twice()) throw InvalidArgument(say("the patch is not an oriented manifold"));
   for (const auto& [a, b] : directed.all()) {
     const bool open = !directed.contains({b, a});
     const bool on_boundary = a < boundary_size && b < boundary_size;
-    if (open && !on_boundary) throw InvalidArgument("the patch has an open edge away from its boundary");
+    if (open && !on_boundary) throw InvalidArgument(say("the patch has an open edge away from its boundary"));
     if (!on_boundary) continue;
     const auto h = model.mesh.find_halfedge(VertexHandle(patch.boundary[a]), VertexHandle(patch.boundary[b]));
     if (open && (!h.is_valid() || !model.mesh.is_boundary(h)))
-      throw InvalidArgument("a boundary edge of the patch is not a boundary edge of the surface");
-    if (!open && h.is_valid()) throw InvalidArgument("a chord of the patch is an edge of the surface already");
+      throw InvalidArgument(say("a boundary edge of the patch is not a boundary edge of the surface"));
+    if (!open && h.is_valid()) throw InvalidArgument(say("a chord of the patch is an edge of the surface already"));
   }
 }
 

@@ -6,8 +6,17 @@
 
 namespace loopmend {
 
-std::string nonmanifold_message(int edges) {
-  return std::to_string(edges) + (edges == 1 ? " edge" : " edges") + " of its patch would have more than two faces";
+Message faults_of(const Validity& validity) {
+  const Message folds = validity.folds > 0 ? say("%1 folded edges", validity.folds) : Message();
+  if (validity.intersections == 0) return folds;
+  if (folds.empty()) return say("%1 self-intersections", validity.intersections);
+  return say("%1 folded edges and %2 self-intersections", validity.folds, validity.intersections);
+}
+
+Message nonmanifold_message(int edges) {
+  return (edges == 1 ? say("1 edge of its patch would have more than two faces")
+                     : say("%1 edges of its patch would have more than two faces", edges))
+      .with_code("nonmanifold");
 }
 
 Validity patch_validity(const Patch& patch) {

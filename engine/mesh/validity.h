@@ -2,6 +2,7 @@
 // What is wrong with a patch, counted: the one type for what initial patches, flows and jobs are judged by.
 #pragma once
 
+#include "core/message.h"
 #include "mesh/patch.h"
 
 #include <string>
@@ -29,8 +30,11 @@ inline bool no_worse(const Validity& a, const Validity& b) {
   return a.folds <= b.folds && a.intersections <= b.intersections && a.nonmanifold_edges <= b.nonmanifold_edges;
 }
 
+/// "2 folded edges and 3 self-intersections"; empty where there are none.
+Message faults_of(const Validity& validity);
+
 /// Of a patch that is not pasted since so many of its edges would have more than two faces. Without a full stop.
-std::string nonmanifold_message(int edges);
+Message nonmanifold_message(int edges);
 
 /// Of the patch and the rings around it alone: pairs of triangles; edges with more than two faces are not counted.
 Validity patch_validity(const Patch& patch);

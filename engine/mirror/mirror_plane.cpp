@@ -223,7 +223,7 @@ std::vector<Plane> best_different(std::vector<Plane> found, double extent) {
 
 MirrorPlane make_mirror_plane(const Vec3& point, const Vec3& normal) {
   if (!point.allFinite() || !normal.allFinite() || !(normal.norm() > 0) || !std::isfinite(normal.norm()))
-    throw InvalidArgument("a mirror plane needs a point and a normal that is not 0, in finite numbers");
+    throw InvalidArgument(say("a mirror plane needs a point and a normal that is not 0, in finite numbers"));
   return {point, normal.normalized(), 0};
 }
 

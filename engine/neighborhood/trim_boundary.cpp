@@ -250,7 +250,7 @@ class Trimming {
       cut_.insert(t.begin(), t.end());
       ++next;
     }
-    if (left.triangles.empty()) throw InvalidArgument("trimming the boundary would leave no triangle");
+    if (left.triangles.empty()) throw InvalidArgument(say("trimming the boundary would leave no triangle"));
     copy_rows(result_.model.soup, points, stay, left);
     original_ = std::move(numbers);
     result_.model = make_surface_model(std::move(left));
@@ -319,7 +319,7 @@ std::vector<BadBoundaryFace> few_of_their_pieces(const SurfaceModel& model, cons
 
 TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds) {
   if (rounds < 0 || rounds > 100)
-    throw InvalidArgument("between 0 and 100 rings of a boundary can be trimmed, not " + std::to_string(rounds));
+    throw InvalidArgument(say("between 0 and 100 rings of a boundary can be trimmed, not %1", rounds));
   const PartSizes parts(model);
   std::set<int> spared;
   for (;;) {

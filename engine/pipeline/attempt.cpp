@@ -18,11 +18,13 @@ double energy_of(const Patch& patch, FlowKind flow) {
   return shown_energy(flow, make_state(patch, {flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
 }
 
-std::string message_on_outliers(int outliers) {
-  return outliers == 1
-             ? "one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it"
-             : std::to_string(outliers) +
-                   " boundary vertices are outliers: the patch meets them, but does not take its curvature from them";
+Message message_on_outliers(int outliers) {
+  Message message =
+      outliers == 1
+          ? say("one boundary vertex is an outlier: the patch meets it, but does not take its curvature from it")
+          : say("%1 boundary vertices are outliers: the patch meets them, but does not take its curvature from them",
+                outliers);
+  return std::move(message).with_code("outliers");
 }
 
 /// Takes the patch with the spoilt places reverted to `start`, if that has fewer faults.
@@ -40,9 +42,11 @@ void take_rolled_back(const AttemptContext& context, const Patch& start, const E
   result.seams = std::move(seams);
   result.verdicts = std::move(verdicts);
   result.energy.final = energy_of(result.patch, evolution.options().flow);
-  result.message = "the patch would have folded or cut the surface at a few places: there, at " +
-                   std::to_string(rollback->moved) + " of its " + std::to_string(result.patch.free_count) +
-                   " vertices, it goes back towards what it set out from";
+  result.message =
+      say("the patch would have folded or cut the surface at a few places: there, at %1 of its %2 vertices, it goes "
+          "back towards what it set out from",
+          rollback->moved, result.patch.free_count)
+          .with_code("rolled_back");
 }
 
 struct CheckedPatch {
@@ -81,10 +85,11 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   take_figures(evolution, result);
   if (status == PatchStatus::cancelled) return false;
   if (status == PatchStatus::stalled && evolution.history().empty()) {
-    result.message = "the flow could not start: " + evolution.message();
+    result.message = say("the flow could not start: %1", evolution.message()).with_code("flow_not_started");
     return false;
   }
-  result.reason = is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : "";
+  result.reason =
+      is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : Message();
   CheckedPatch found = checked(
       problem, context.clean_neighborhood ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch(),
       context.cancel);
@@ -98,7 +103,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
                        : evolution.message();
   if (found.is_bent) {
     result.energy.final = energy_of(result.patch, options.flow);
-    add_message(result, bent_message);
+    add_message(result, bent_message());
   }
   result.verdicts = context.judge(result.patch, result.validity, result.seams);
   const bool spoilt = faults(result.verdicts)[0] + faults(result.verdicts)[1] > 0;
@@ -115,7 +120,7 @@ void take_patch(const AttemptContext& context, const Judge& judge, FlowKind flow
   result.seams = std::move(found.seams);
   result.energy.initial = energy_of(context.problem.initial, flow);
   result.energy.final = energy_of(result.patch, flow);
-  if (found.is_bent) add_message(result, bent_message);
+  if (found.is_bent) add_message(result, bent_message());
   result.verdicts = judge(result.patch, result.validity, result.seams);
 }
 

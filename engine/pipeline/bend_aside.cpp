@@ -142,4 +142,9 @@ std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, c
   return std::nullopt;
 }
 
+Message bent_message() {
+  return joined(say("bent past loose crumbs of surface in the hole"), "; ", say("--repair removes such crumbs"))
+      .with_code("bent");
+}
+
 }  // namespace loopmend

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "mesh/patch.h"
 #include "pipeline/validate.h"
 
@@ -16,8 +17,7 @@ struct BentPatch {
   int crumbs = 0;     ///< that it was moved past
 };
 
-inline constexpr const char* bent_message =
-    "bent past loose crumbs of surface in the hole; --repair removes such crumbs";
+Message bent_message();
 
 /// Bends the patch around each crumb that it cuts, to the side where the way is shorter. Only free vertices move, those near a
 /// crumb. @returns nothing where the patch cuts anything else than crumbs, itself above all, or is still in their way after some

@@ -33,10 +33,10 @@ PatchResult flow_between(const PatchProblem& problem, const EvolutionOptions& op
   PatchResult bent = solve_patch(problem, stiffer, on_step, cancel);
   const bool bent_is_sound = bent.validity.is_clean() && worst(bent.verdicts) != Grade::bad;
   if (bent.status != PatchStatus::converged || !bent_is_sound) return pure;
-  bent.reason = !sound ? "the patch of the flow itself had a fault; with bending energy mixed in it has none"
-                       : "the flow itself did not converge; with bending energy mixed in it did";
+  bent.reason = !sound ? say("the patch of the flow itself had a fault; with bending energy mixed in it has none")
+                       : say("the flow itself did not converge; with bending energy mixed in it did");
   bent.attempts.insert(bent.attempts.begin(), pure.attempts.begin(), pure.attempts.end());
-  bent.attempts.back() = bent.made_by = "mixed order 5";
+  bent.attempts.back() = bent.made_by = text_to_say("mixed order 5");
   return bent;
 }
 
@@ -48,14 +48,13 @@ void tell_of_creases(const EvolutionOptions& options, PatchResult& result) {
   double worst = 0;
   for (const SeamReport& seam : result.seams) worst = std::max(worst, seam.g1_rms_deg);
   if (!(worst > visible_angle)) return;
-  if (!result.message.empty()) result.message += "; ";
-  result.message += "a crease of " + std::to_string(std::lround(worst)) +
-                    " degrees is left at a seam: the patch turns too sharply there for edges of this length; finer "
-                    "meshes would help";
+  add_message(
+      result,
+      say("a crease of %1 degrees is left at a seam: the patch turns too sharply there for edges of this length; "
+          "finer meshes would help",
+          std::lround(worst))
+          .with_code("crease"));
 }
-
-constexpr const char* ring_reason =
-    "both surfaces end at these loops, so that a straight ring joins them; --boundary exact runs the flow itself";
 
 /// The ring as it is: creases at its seams are what was asked for.
 PatchResult ring_result(const PatchProblem& problem) {
@@ -63,7 +62,9 @@ PatchResult ring_result(const PatchProblem& problem) {
   options.continuity = SeamContinuity::position;
   PatchResult result = initial_result(problem, options.flow);
   judge_again(problem, options, result);
-  result.reason = ring_reason;
+  result.reason = joined(say("both surfaces end at these loops, so that a straight ring joins them"), "; ",
+                         say("--boundary exact runs the flow itself"))
+                      .with_code("ring");
   return result;
 }
 
@@ -72,8 +73,11 @@ PatchResult refused(const Validity& validity) {
   result.validity = validity;
   result.message = nonmanifold_message(validity.nonmanifold_edges);
   if (validity.intersections > 0)
-    result.message = "every patch that was found would cut the surface or itself, in " +
-                     std::to_string(validity.intersections) + " places: the loops cannot be joined as they lie";
+    result.message =
+        say("every patch that was found would cut the surface or itself, in %1 places: the loops cannot be joined as "
+            "they lie",
+            validity.intersections)
+            .with_code("every_patch_crosses");
   return result;
 }
 
@@ -115,8 +119,8 @@ BlendResult blend_loops(SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (cancel.cancelled() || blend.outcome.status == PatchStatus::failed) return blend;
   if (blend.outcome.status == PatchStatus::filled && blend.outcome.message.empty())
     blend.outcome.message = outcome.message;
-  const std::string fault = paste_patches(agreed, {&blend.outcome.patch}).front().fault;
-  if (!fault.empty()) throw InvalidArgument(fault);
+  Message fault = paste_patches(agreed, {&blend.outcome.patch}).front().fault;
+  if (!fault.empty()) throw InvalidArgument(std::move(fault));
   check_exterior(model.soup, agreed.soup, blend.turned_faces);
   model = std::move(agreed);
   return blend;

@@ -108,13 +108,16 @@ bool sharp_edges(const Situation& s, PatchResult& result) {
   const PatchProblem& problem = s.context.problem;
   Patch patch = make_patch(problem.scan.model, problem.loops, {s.sharp->patch});
   patch.grading = problem.initial.grading;
-  take_patch(s.context, s.context.judge.expecting_creases({s.sharp->creased}), s.options.flow, std::move(patch), result);
+  take_patch(s.context, s.context.judge.expecting_creases({s.sharp->creased}), s.options.flow, std::move(patch),
+             result);
   result.status = PatchStatus::faired;
   result.method = Method::sharp_edges;
   const auto edges = s.sharp->edges.size();
-  result.reason = edges == 0 ? "the surface of one side alone runs on here; --edges round runs the flow"
-                             : std::to_string(edges) + (edges == 1 ? " sharp edge runs" : " sharp edges run") +
-                                   " on across the hole; --edges round runs the flow";
+  result.reason = joined(edges == 0   ? say("the surface of one side alone runs on here")
+                         : edges == 1 ? say("1 sharp edge runs on across the hole")
+                                      : say("%1 sharp edges run on across the hole", edges),
+                         "; ", say("--edges round runs the flow"))
+                      .with_code("sharp_edges");
   return true;
 }
 
@@ -151,20 +154,15 @@ struct Candidate {
 };
 
 const Candidate candidates[] = {
-    {"minimal surface over a cut", is_cut, position},
-    {"initial patch over a cut", is_cut, initial_patch},
-    {"sharp edges", has_sharp_edges, sharp_edges},
-    {"flow", is_exact, flow},
-    {"split flow", is_rough, split},
-    {"robust fairing", of_curvature, robust},
-    {"tangent fairing", of_curvature, tangent},
-    {"minimal surface", of_lower_order, position},
+    {text_to_say("minimal surface over a cut"), is_cut, position},
+    {text_to_say("initial patch over a cut"), is_cut, initial_patch},
+    {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},
+    {text_to_say("flow"), is_exact, flow},
+    {text_to_say("split flow"), is_rough, split},
+    {text_to_say("robust fairing"), of_curvature, robust},
+    {text_to_say("tangent fairing"), of_curvature, tangent},
+    {text_to_say("minimal surface"), of_lower_order, position},
 };
-
-constexpr const char* flat_reason =
-    "the surface ends at this loop, which is flat, so that it was closed flat; --boundary exact runs the flow itself";
-constexpr const char* curved_reason =
-    "the surface ends at this loop, so that it was closed by a minimal surface; --boundary exact runs the flow itself";
 
 /// Whether the candidate is kept without looking at others. Where a person has chosen the treatment of the boundary, only what
 /// folds or crosses is passed over.
@@ -175,20 +173,24 @@ bool is_kept(const Situation& s, const PatchResult& result) {
 }
 
 /// "split flow: 3 edges are folded by more than 150°".
-std::string fault_of(const char* name, const PatchResult& result) {
+Message fault_of(const char* name, const PatchResult& result) {
   for (const Verdict& verdict : result.verdicts)
-    if (verdict.grade == Grade::bad) return std::string(name) + ": " + verdict.sentence();
-  return std::string(name) + ": " + result.message;
+    if (verdict.grade == Grade::bad) return joined(say(name), ": ", verdict.message()).with_code("first_candidate_bad");
+  return joined(say(name), ": ", result.message);
 }
 
-std::string reason_of_cut(const Situation& s) {
-  return std::find(s.ends.begin(), s.ends.end(), LoopEnd::curved) == s.ends.end() ? flat_reason : curved_reason;
+Message reason_of_cut(const Situation& s) {
+  const bool flat = std::find(s.ends.begin(), s.ends.end(), LoopEnd::curved) == s.ends.end();
+  return joined(flat ? say("the surface ends at this loop, which is flat, so that it was closed flat")
+                     : say("the surface ends at this loop, so that it was closed by a minimal surface"),
+                "; ", say("--boundary exact runs the flow itself"))
+      .with_code("surface_ends");
 }
 
 PatchResult best_candidate(const Situation& s) {
   PatchResult best;
   std::vector<std::string> tried;
-  std::string why_not_the_first;
+  Message why_not_the_first;
   for (const Candidate& candidate : candidates) {
     if (!candidate.applies(s)) continue;
     PatchResult result;
@@ -213,7 +215,8 @@ PatchResult best_candidate(const Situation& s) {
     PatchResult initial = judged_initial(s.context.problem, s.options, s.context.judge);
     open_folds(s.context, s.options.flow, initial);
     if (best.made_by.empty() || faults(initial.verdicts) < faults(best.verdicts)) {
-      initial.message = why_not_the_first + ": the initial patch was kept";
+      initial.message =
+          joined(why_not_the_first, ": ", say("the initial patch was kept")).with_code("initial_patch_kept");
       for (Verdict& verdict : initial.verdicts) {
         verdict.grade = std::max(verdict.grade, Grade::look);
         verdict.findings.push_back({NoticeCode::initial_patch_kept, {}});
@@ -255,7 +258,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                         const CancelToken& cancel) {
   if (problem.initial.free_count == 0) {
     PatchResult result = initial_result(problem, options.flow);
-    result.message = "too small to hold a free vertex: closed by triangles between its own vertices";
+    result.message =
+        say("too small to hold a free vertex: closed by triangles between its own vertices").with_code("tiny");
     return result;
   }
   PatchResult mirrored;
@@ -265,8 +269,13 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   }
   const std::vector<LoopEnd> ends = ends_of(problem);
   const Judge judge = judge_for(problem, options, ends);
-  Situation situation{
-      {problem, nullptr, judge, on_step, cancel}, options, std::nullopt, std::nullopt, std::nullopt, ends, std::nullopt};
+  Situation situation{{problem, nullptr, judge, on_step, cancel},
+                      options,
+                      std::nullopt,
+                      std::nullopt,
+                      std::nullopt,
+                      ends,
+                      std::nullopt};
   if (is_judged(options)) {
     if (options.edges == SharpEdges::continued && problem.loops.size() == 1 && !situation.is_cut())
       situation.sharp = continue_sharp_edges(problem.initial, cancel);
@@ -288,7 +297,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   result.seams_before = judge.initial_seams();
   result.mirror = mirrored.mirror;
   result.attempts.insert(result.attempts.begin(), mirrored.attempts.begin(), mirrored.attempts.end());
-  if (!mirrored.reason.empty()) result.reason = mirrored.reason + (result.reason.empty() ? "" : "; " + result.reason);
+  result.reason = joined(std::move(mirrored.reason), "; ", std::move(result.reason));
   if (cancel.cancelled()) result.status = PatchStatus::cancelled;
   return result;
 }

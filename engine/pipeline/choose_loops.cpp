@@ -13,10 +13,10 @@ namespace loopmend {
 
 namespace {
 
-std::string count_of_loops(const std::vector<BoundaryLoop>& loops) {
-  if (loops.empty()) return "the surface is closed: it has no boundary loops";
-  if (loops.size() == 1) return "the mesh has one loop, number 1";
-  return "the mesh has " + std::to_string(loops.size()) + " loops, numbers 1 to " + std::to_string(loops.size());
+Message count_of_loops(const std::vector<BoundaryLoop>& loops) {
+  if (loops.empty()) return say("the surface is closed: it has no boundary loops");
+  if (loops.size() == 1) return say("the mesh has one loop, number 1");
+  return say("the mesh has %1 loops, numbers 1 to %1", loops.size());
 }
 
 /// Between commas; blanks around them are allowed. @throws InvalidArgument where there is nothing.
@@ -27,7 +27,7 @@ std::vector<std::string> items_of(const std::string& text, const std::string& op
     const auto first = item.find_first_not_of(" \t");
     items.push_back(first == std::string::npos ? "" : item.substr(first, item.find_last_not_of(" \t") - first + 1));
   }
-  if (items.empty()) throw InvalidArgument(option + " names nothing. It takes whole numbers such as 1,3");
+  if (items.empty()) throw InvalidArgument(say("%1 names nothing. It takes whole numbers such as 1,3", option));
   return items;
 }
 
@@ -36,7 +36,7 @@ int number_of(std::string_view item, const std::string& text, const std::string&
   int value = 0;
   const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
   if (item.empty() || error != std::errc() || end != item.data() + item.size())
-    throw InvalidArgument(option + " takes whole numbers such as 1,3, not '" + text + "'");
+    throw InvalidArgument(say("%1 takes whole numbers such as 1,3, not '%2'", option, text));
   return value;
 }
 
@@ -44,16 +44,15 @@ SeamContinuity continuity_of(const std::string& word) {
   if (word == "flat") return SeamContinuity::position;
   if (word == "tangent") return SeamContinuity::tangent;
   if (word == "smooth") return SeamContinuity::curvature;
-  throw InvalidArgument("--loops takes flat, tangent or smooth behind a number, as in 3:flat, not '" + word + "'");
+  throw InvalidArgument(say("--loops takes flat, tangent or smooth behind a number, as in 3:flat, not '%1'", word));
 }
 
 /// Loops through a vertex of the input. @throws InvalidArgument when there is none.
 void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int vertex,
                   std::map<std::size_t, std::optional<SeamContinuity>>& named) {
-  const std::string name = "vertex " + std::to_string(vertex);
   if (vertex < 0 || vertex >= static_cast<int>(model.soup.points.size()))
-    throw InvalidArgument("there is no " + name + ": the mesh has " + std::to_string(model.soup.points.size()) +
-                          ", numbered from 0");
+    throw InvalidArgument(
+        say("there is no vertex %1: the mesh has %2, numbered from 0", vertex, model.soup.points.size()));
   bool found = false;
   for (std::size_t k = 0; k < loops.size(); ++k)
     for (int v : loops[k].vertices)
@@ -67,7 +66,8 @@ void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
     const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
     used = used || std::find(t.begin(), t.end(), vertex) != t.end();
   });
-  throw InvalidArgument(name + (used ? " lies on no boundary loop" : " belongs to no face"));
+  throw InvalidArgument(used ? say("vertex %1 lies on no boundary loop", vertex)
+                             : say("vertex %1 belongs to no face", vertex));
 }
 
 /// Indices into `loops` that are named, each with the continuity that is named for it; empty when none is.
@@ -77,8 +77,7 @@ std::map<std::size_t, std::optional<SeamContinuity>> named_loops(const SurfaceMo
   std::map<std::size_t, std::optional<SeamContinuity>> named;
   for (const auto& [number, continuity] : selection.numbers) {
     if (number < 1 || number > static_cast<int>(loops.size()))
-      throw InvalidArgument("there is no loop " + std::to_string(number) + ": " + count_of_loops(loops) +
-                            ". 'loopmend info' lists them");
+      throw InvalidArgument(say("there is no loop %1: %2. 'loopmend info' lists them", number, count_of_loops(loops)));
     named[static_cast<std::size_t>(number - 1)] = continuity;
   }
   for (const int vertex : selection.at_vertices) add_loops_at(model, loops, vertex, named);
@@ -86,15 +85,16 @@ std::map<std::size_t, std::optional<SeamContinuity>> named_loops(const SurfaceMo
 }
 
 /// Why a loop that is not named cannot be filled; empty where it can.
-std::string why_no_hole(const BoundaryLoop& loop, LoopSelection::OuterRim outer_rim) {
-  if (loop.kind == LoopKind::cut) return "no hole: runs where the surface had to be cut";
+Message why_no_hole(const BoundaryLoop& loop, LoopSelection::OuterRim outer_rim) {
+  if (loop.kind == LoopKind::cut) return say("no hole: runs where the surface had to be cut").with_code("cut");
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
-    return "crack: a face at the same place covers it already";
-  if (loop.kind == LoopKind::crack) return "crack: nothing is missing, its sides are only not joined";
+    return say("crack: a face at the same place covers it already").with_code("covered");
+  if (loop.kind == LoopKind::crack)
+    return say("crack: nothing is missing, its sides are only not joined").with_code("crack");
   if (loop.kind == LoopKind::outer_rim && outer_rim == LoopSelection::OuterRim::leave && loop.coincident > 0)
-    return "boundary that coincides with another along " + std::to_string(loop.coincident) +
-           " edges: the mesh is split there";
-  return "";
+    return say("boundary that coincides with another along %1 edges: the mesh is split there", loop.coincident)
+        .with_code("split_mesh");
+  return {};
 }
 
 /// What may help where why_no_hole() has a reason.
@@ -105,13 +105,16 @@ LoopChoice::Cure cure_of(const BoundaryLoop& loop) {
 }
 
 /// Why a loop is left that could be filled; empty where it is not left.
-std::string reason_to_leave(const BoundaryLoop& loop, const LoopSelection& selection, bool named) {
+Message reason_to_leave(const BoundaryLoop& loop, const LoopSelection& selection, bool named) {
   if (!named && loop.kind == LoopKind::outer_rim && selection.outer_rim == LoopSelection::OuterRim::leave)
-    return "outer rim of an open sheet, since " + why_outer_rim(loop) + ": left open (--include-outer-rim fills it)";
+    return with_cure(say("outer rim of an open sheet, since %1: left open", why_outer_rim(loop)),
+                     say("--include-outer-rim fills it"))
+        .with_code("outer_rim");
   if (selection.max_edges && loop.edges() > *selection.max_edges)
-    return "has more than " + std::to_string(*selection.max_edges) + " edges (--max-edges)";
-  if (selection.max_diameter && loop.diameter > *selection.max_diameter) return "is wider than --max-diameter";
-  return "";
+    return say("has more than %1 edges (--max-edges)", *selection.max_edges).with_code("too_many_edges");
+  if (selection.max_diameter && loop.diameter > *selection.max_diameter)
+    return say("is wider than --max-diameter").with_code("too_wide");
+  return {};
 }
 
 /// The first so many of the loops, which begin with the largest, that are holes or outer rims are left.
@@ -120,7 +123,7 @@ void leave_largest(const std::vector<BoundaryLoop>& loops, int count, std::vecto
     if (loops[k].kind != LoopKind::hole && loops[k].kind != LoopKind::outer_rim) continue;
     --count;
     if (!std::exchange(choices[k].fill, false)) continue;
-    choices[k].why_not = "is one of the largest loops (--all-but-largest)";
+    choices[k].why_not = say("is one of the largest loops (--all-but-largest)").with_code("one_of_the_largest");
   }
 }
 
@@ -143,6 +146,13 @@ std::vector<int> vertex_numbers_of(const std::string& text) {
     vertices.push_back(number_of(item, text, "--at-vertex"));
   return vertices;
 }
+
+Message with_cure(Message what, Message cure) {
+  std::string code = what.code;
+  return say("%1 (%2)", std::move(what), std::move(cure)).with_code(code);
+}
+
+Message not_selected() { return say("not selected").with_code("not_selected"); }
 
 LoopChoice choose_unnamed(const BoundaryLoop& loop, const LoopSelection& selection) {
   LoopChoice choice;
@@ -168,7 +178,7 @@ std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vecto
       continue;
     }
     const auto own = named.find(k);
-    choice.why_not = own != named.end() ? reason_to_leave(loops[k], selection, true) : "not selected";
+    choice.why_not = own != named.end() ? reason_to_leave(loops[k], selection, true) : not_selected();
     if (own != named.end()) choice.continuity = own->second;
     choice.fill = choice.why_not.empty();
     choice.is_outer_rim = loops[k].kind == LoopKind::outer_rim;

@@ -2,6 +2,7 @@
 // Which boundary loops of a surface are filled, and why the others are not.
 #pragma once
 
+#include "core/message.h"
 #include "evolution/evolution.h"
 #include "mesh/boundary_loops.h"
 
@@ -41,11 +42,17 @@ struct LoopChoice {
   enum class Cure { none, stitch, repair };
   bool fill = false;
   std::optional<SeamContinuity> continuity;  ///< named for this loop alone
-  std::string why_not;                       ///< where fill is false
+  Message why_not;                           ///< where fill is false
   Cure cure = Cure::none;                    ///< what may make a hole of it, or close it
   Left left = Left::as_asked;
   bool is_outer_rim = false;  ///< bounds a sheet, and is no defect
 };
+
+/// "what (cure)".
+Message with_cure(Message what, Message cure);
+
+/// Of a loop that is left since others were named.
+Message not_selected();
 
 /// The choice for a loop that is not named.
 LoopChoice choose_unnamed(const BoundaryLoop& loop, const LoopSelection& selection);

@@ -5,9 +5,8 @@
 
 namespace loopmend {
 
-std::string flaws_of(const Validity& validity) {
-  return std::to_string(validity.folds) + " folded edges and " + std::to_string(validity.intersections) +
-         " self-intersections";
+Message flaws_of(const Validity& validity) {
+  return say("%1 folded edges and %2 self-intersections", validity.folds, validity.intersections);
 }
 
 PatchResult evolve_region(const Region& region, EvolutionOptions options, const Evolution::OnStep& on_step,
@@ -16,10 +15,10 @@ PatchResult evolve_region(const Region& region, EvolutionOptions options, const 
   return evolve_patch(region.patch, options, on_step, cancel);
 }
 
-std::string refusal_of(const Region& region, const PatchResult& evolved) {
+Message refusal_of(const Region& region, const PatchResult& evolved) {
   return no_worse(evolved.validity, patch_validity(region.patch))
-             ? std::string()
-             : "the flow would leave " + flaws_of(evolved.validity) + " in the region";
+             ? Message()
+             : say("the flow would leave %1 in the region", flaws_of(evolved.validity));
 }
 
 }  // namespace loopmend

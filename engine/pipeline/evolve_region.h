@@ -2,6 +2,7 @@
 // The flow in a region of a surface, everything else held. What `loopmend evolve` and the window's region tool call.
 #pragma once
 
+#include "core/message.h"
 #include "mesh/region.h"
 #include "pipeline/patch_result.h"
 
@@ -14,9 +15,9 @@ PatchResult evolve_region(const Region& region, EvolutionOptions options, const 
                           const CancelToken& cancel);
 
 /// Why the result must not be used: more folds or intersections than the region came with. Empty when it may.
-std::string refusal_of(const Region& region, const PatchResult& evolved);
+Message refusal_of(const Region& region, const PatchResult& evolved);
 
 /// "2 folded edges and 0 self-intersections"
-std::string flaws_of(const Validity& validity);
+Message flaws_of(const Validity& validity);
 
 }  // namespace loopmend

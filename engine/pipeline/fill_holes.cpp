@@ -72,27 +72,30 @@ std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<Boundar
   return tasks;
 }
 
-GroupResult open_group(const std::vector<BoundaryLoop>& loops, PatchStatus status, const std::string& why) {
+GroupResult open_group(const std::vector<BoundaryLoop>& loops, PatchStatus status, const Message& why) {
   GroupResult result;
   for (const BoundaryLoop& loop : loops) result.holes.push_back(open_hole(loop, status, why));
   return result;
 }
 
+Message not_finished() { return say("not finished when stopped").with_code("not_finished"); }
+
 /// Of a patch with about so many new vertices. @returns why it is not made; empty where there is no reason.
-std::string memory_message(double vertices, double needed_mb, double most_memory_mb) {
-  if (!(needed_mb > most_memory_mb)) return "";
-  if (!(vertices < 1e9)) return "its edges are too short for its size: left open; a smaller density needs less memory";
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "about %.0f new vertices would take %.0f MB of memory, and %.0f MB are allowed: left open; a smaller "
-                "density needs less",
-                vertices, std::ceil(needed_mb), std::max(0.0, std::floor(most_memory_mb)));
-  return text;
+Message memory_message(double vertices, double needed_mb, double most_memory_mb) {
+  if (!(needed_mb > most_memory_mb)) return {};
+  if (!(vertices < 1e9))
+    return say("its edges are too short for its size: left open; a smaller density needs less memory")
+        .with_code("no_memory");
+  return say("about %1 new vertices would take %2 MB of memory, and %3 MB are allowed: left open; a smaller density "
+             "needs less",
+             std::llround(vertices), std::llround(std::ceil(needed_mb)),
+             std::llround(std::max(0.0, std::floor(most_memory_mb))))
+      .with_code("no_memory");
 }
 
 /// Before there is a patch.
-std::string why_expected_too_large(const SurfaceModel& model, const BoundaryLoop& loop, const FillOptions& options) {
-  if (!options.evolution || std::isinf(options.most_memory_mb)) return "";
+Message why_expected_too_large(const SurfaceModel& model, const BoundaryLoop& loop, const FillOptions& options) {
+  if (!options.evolution || std::isinf(options.most_memory_mb)) return {};
   const double vertices = expected_new_vertices(model, loop, options.initial.density);
   return memory_message(vertices, expected_memory_mb(vertices), options.most_memory_mb);
 }
@@ -105,7 +108,7 @@ GroupResult each_alone(const ScanIndex& scan, const std::vector<BoundaryLoop>& l
                        const CancelToken& cancel) {
   GroupResult all;
   for (const BoundaryLoop& loop : loops) {
-    if (cancel.cancelled()) return open_group(loops, PatchStatus::cancelled, "");
+    if (cancel.cancelled()) return open_group(loops, PatchStatus::cancelled, {});
     GroupResult one = filled(scan, {loop}, options, cancel);
     std::move(one.holes.begin(), one.holes.end(), std::back_inserter(all.holes));
     std::move(one.patches.begin(), one.patches.end(), std::back_inserter(all.patches));
@@ -119,21 +122,21 @@ GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops
     const InitialPatch initial = make_surveyed_patch(scan.model, loops, options.initial, cancel);
     if (initial.patch && options.evolution) {
       const int vertices = initial.patch->free_count;
-      const std::string why = memory_message(vertices, memory_mb_of(vertices), options.most_memory_mb);
+      const Message why = memory_message(vertices, memory_mb_of(vertices), options.most_memory_mb);
       if (!why.empty() && loops.size() > 1) return each_alone(scan, loops, options, cancel);
       if (!why.empty()) return open_group(loops, PatchStatus::failed, why);
     }
     return solve_group(scan, initial, options, nullptr, cancel);
   } catch (const std::bad_alloc&) {
-    return open_group(loops, PatchStatus::failed, no_memory_message);
+    return open_group(loops, PatchStatus::failed, no_memory_message());
   } catch (const std::exception& error) {
-    return open_group(loops, PatchStatus::failed, error.what());
+    return open_group(loops, PatchStatus::failed, message_of(error));
   }
 }
 
 /// One patch between a hole and the islands in it. @param why  is set where there is none; its reason may be empty.
 std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<BoundaryLoop>& place,
-                                   const FillOptions& options, const CancelToken& cancel, std::string& why) {
+                                   const FillOptions& options, const CancelToken& cancel, Message& why) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   try {
@@ -151,7 +154,7 @@ std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<Boun
     result.seconds.total = seconds();
     return result;
   } catch (const std::exception& error) {  // one place does not take the others with it
-    why = error.what();
+    why = message_of(error);
     return std::nullopt;
   }
 }
@@ -159,16 +162,17 @@ std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<Boun
 /// The hole's islands joined to it, or where that fails covered by its patch.
 GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& options, const CancelToken& cancel) {
   const std::vector<BoundaryLoop>& place = task.loops;
-  std::string why;
+  Message why;
   std::optional<PatchResult> made = bridged(scan, place, options, cancel, why);
   if (!made) {
     GroupResult alone = filled(scan, {place.front()}, options, cancel);
-    for (HoleResult& hole : alone.holes) hole.message += (hole.message.empty() ? "" : "; ") + island_not_joined(why);
+    for (HoleResult& hole : alone.holes) hole.message = joined(std::move(hole.message), "; ", island_not_joined(why));
     for (const BoundaryLoop& island : place)
       if (task.asked.contains(island.number))
-        alone.holes.push_back(open_hole(island, PatchStatus::skipped,
-                                        "the piece lies within hole " + std::to_string(place[0].number) +
-                                            ", whose patch covers it: left as it is"));
+        alone.holes.push_back(
+            open_hole(island, PatchStatus::skipped,
+                      say("the piece lies within hole %1, whose patch covers it: left as it is", place[0].number)
+                          .with_code("covered_island")));
     return alone;
   }
   GroupResult result;
@@ -182,7 +186,7 @@ GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& o
     if (k == 0)
       hole.free_vertices = patch->patch.free_count;
     else
-      hole.message = "an island: joined to hole " + std::to_string(place[0].number);
+      hole.message = say("an island: joined to hole %1", place[0].number).with_code("joined_island");
   }
   return result;
 }
@@ -208,11 +212,11 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
   for (GroupResult& group : solved) std::move(group.holes.begin(), group.holes.end(), std::back_inserter(results));
   std::stable_sort(results.begin(), results.end(),
                    [&](const HoleResult& x, const HoleResult& y) { return place_of(x) < place_of(y); });
-  // Room for a fault: from here on memory is asked for by paste_patches alone. Either the model is unchanged, or these results
-  // are handed back.
-  for (HoleResult& result : results) result.message.reserve(std::strlen(no_memory_message));
+  // From here on memory is asked for by paste_patches alone. Either the model is unchanged, or these results are handed back.
+  std::vector<Message> spare(results.size(), no_memory_message());
   const std::vector<PastedPatch> outcomes = paste_patches(model, geometry);
-  for (HoleResult& result : results) {
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    HoleResult& result = results[k];
     const auto patch = place_of_patch.find(result.patch.get());
     if (patch == place_of_patch.end()) continue;
     const PastedPatch& outcome = outcomes[patch->second];
@@ -220,7 +224,11 @@ std::vector<HoleResult> pasted(SurfaceModel& model, const std::vector<BoundaryLo
     result.first_triangle = outcome.first_triangle;
     if (outcome.fault.empty()) continue;
     result.status = PatchStatus::failed;
-    result.message = outcome.fault;
+    try {
+      result.message = outcome.fault;
+    } catch (const std::bad_alloc&) {
+      result.message = std::move(spare[k]);
+    }
   }
   return results;
 }
@@ -290,12 +298,12 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
       possible.push_back(loop);
       continue;
     }
-    std::string why;
+    Message why;
     try {
       if (loop.kind != LoopKind::cut) why = why_no_patch_exists(scan, loop);
       if (why.empty()) why = why_expected_too_large(model, loop, options);
     } catch (const std::exception& error) {
-      why = error.what();
+      why = message_of(error);
     }
     if (why.empty()) {
       possible.push_back(loop);
@@ -306,7 +314,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   }
   if (cancel.cancelled()) {
     if (options.on_cancel == FillOptions::OnCancel::discard) return {};
-    solved.push_back(open_group(possible, PatchStatus::skipped, "not finished when stopped"));
+    solved.push_back(open_group(possible, PatchStatus::skipped, not_finished()));
     return pasted(model, loops, std::move(solved));
   }
   std::vector<Task> tasks = tasks_for(model, possible, options.islands, refused);
@@ -340,7 +348,7 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
   for (std::size_t k = 0; k < tasks.size(); ++k)
     solved.push_back(finished[k] ? std::move(results[k])
-                                 : open_group(tasks[k].loops, PatchStatus::skipped, "not finished when stopped"));
+                                 : open_group(tasks[k].loops, PatchStatus::skipped, not_finished()));
   return pasted(model, loops, std::move(solved));
 }
 
@@ -348,14 +356,16 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
 
 void check(const FillOptions& options) {
   check(options.initial);
-  if (!(options.most_memory_mb > 0)) throw InvalidArgument("the memory for patches must be above 0 MB");
+  if (!(options.most_memory_mb > 0)) throw InvalidArgument(say("the memory for patches must be above 0 MB"));
   if (options.evolution) check(*options.evolution);
   if (!options.evolution && (options.mirror == FillOptions::Mirror::find || !options.mirror_planes.empty()))
-    throw InvalidArgument("a patch without a flow is left as its first shape, and is no mirror image: choose a flow");
+    throw InvalidArgument(
+        say("a patch without a flow is left as its first shape, and is no mirror image: choose a flow"));
 }
 
-std::string island_not_joined(const std::string& why) {
-  return "the piece of surface within it was not joined: " + (why.empty() ? "no bridge was found" : why);
+Message island_not_joined(const Message& why) {
+  return say("the piece of surface within it was not joined: %1", why.empty() ? say("no bridge was found") : why)
+      .with_code("island_not_joined");
 }
 
 std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
@@ -364,7 +374,7 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
   check(options);
   if (!holds_neighborhood(model, loops))
     throw InvalidArgument(
-        "the view of the surface ends too near to a loop that is to be filled (pipeline/filling_view.h)");
+        say("the view of the surface ends too near to a loop that is to be filled (pipeline/filling_view.h)"));
   return with_thread_budget(options.threads, [&] { return fill(model, loops, options, progress, cancel); });
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "evolution/option_names.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/solve_group.h"
@@ -57,7 +58,7 @@ std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& mo
                                                           const std::vector<BoundaryLoop>& asked);
 
 /// What is said of a hole whose patch covers an island that should have been joined. @param why  no bridge was made.
-std::string island_not_joined(const std::string& why);
+Message island_not_joined(const Message& why);
 
 /// Every hole of the model; outer rims and cut seams are left. @throws InvalidArgument if an option is out of range.
 std::vector<HoleResult> fill_all_holes(SurfaceModel& model, const FillOptions& options = {},

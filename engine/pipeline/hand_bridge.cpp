@@ -34,7 +34,7 @@ std::vector<BridgeSeat> seats_at(const SurfaceModel& model, const std::vector<Bo
                        facing->conormals[next]});
     }
   }
-  if (seats.empty()) throw InvalidArgument("vertex " + std::to_string(point) + " lies on no boundary loop");
+  if (seats.empty()) throw InvalidArgument(say("vertex %1 lies on no boundary loop", point));
   return seats;
 }
 
@@ -54,8 +54,10 @@ TriangleSoup with_bridge(const SurfaceModel& model, int a, int b) {
     for (const BridgeSeat& second : seats_b)
       if (first.loop == second.loop) s = first, t = second;
   if (s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to)
-    throw InvalidArgument("the boundary edges that begin at vertices " + std::to_string(a) + " and " +
-                          std::to_string(b) + " have a vertex in common: a bridge needs two that lie apart");
+    throw InvalidArgument(
+        say("the boundary edges that begin at vertices %1 and %2 have a vertex in common: a bridge needs two that lie "
+            "apart",
+            a, b));
   TriangleSoup soup = model.soup;
   const auto at = [&](int v) { return Vec3(model.soup.points[v]); };
   const double edge = ((at(s.to) - at(s.from)).norm() + (at(t.to) - at(t.from)).norm()) / 2;

@@ -28,9 +28,9 @@ LoopPatchOutcome guarded_fill(const SurfaceModel& model, const BoundaryLoop& loo
   try {
     return fill_loop(model, loop, options, cancel);
   } catch (const std::bad_alloc&) {
-    outcome.message = no_memory_message;
+    outcome.message = no_memory_message();
   } catch (const std::exception& error) {
-    outcome.message = error.what();
+    outcome.message = message_of(error);
   }
   return outcome;
 }
@@ -155,11 +155,15 @@ std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::
   return result;
 }
 
-std::string InitialPatch::message() const {
-  std::string text;
+Message no_memory_message() {
+  return say("not enough memory for this hole: left open; a smaller density needs less").with_code("no_memory");
+}
+
+Message InitialPatch::message() const {
+  Message all;
   for (const LoopPatchOutcome& outcome : outcomes)
-    if (outcome.patch && !outcome.message.empty()) text += (text.empty() ? "" : " ") + outcome.message;
-  return text;
+    if (outcome.patch) all = joined(std::move(all), "; ", outcome.message);
+  return all;
 }
 
 InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
+#include "core/message.h"
 #include "evolution/evolution.h"
 #include "filling/loop_patch.h"
 #include "mesh/boundary_loops.h"
@@ -14,8 +15,7 @@
 namespace loopmend {
 
 /// Why a hole is left open that needs more memory than there is.
-inline constexpr const char* no_memory_message =
-    "not enough memory for this hole: left open; a smaller density needs less";
+Message no_memory_message();
 
 /// Loops whose neighborhoods overlap belong to one problem; of more than two dozen, only those that lie closer, and of these, where
 /// they are still as many, those that touch. @returns groups of indices into `loops`.
@@ -38,7 +38,7 @@ struct InitialPatch {
   double survey_seconds = 0;             ///< that the survey took beyond that
 
   /// What is to be said of the loops that were filled; empty when all is well.
-  std::string message() const;
+  Message message() const;
 };
 
 /// A loop that fails, for want of memory or by a fault, leaves the others alone: its outcome's message says why.

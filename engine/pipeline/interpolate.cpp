@@ -77,9 +77,9 @@ Interpolation interpolate_points(const SurfaceModel& polyhedron, const Subdivisi
   return result;
 }
 
-std::string refusal_of(const PatchResult& interpolated) {
+Message refusal_of(const PatchResult& interpolated) {
   if (interpolated.validity.is_clean()) return {};
-  return "no valid surface was found: the best one has " + flaws_of(interpolated.validity);
+  return say("no valid surface was found: the best one has %1", flaws_of(interpolated.validity));
 }
 
 }  // namespace loopmend

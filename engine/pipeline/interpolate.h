@@ -2,6 +2,7 @@
 // Point interpolation from end to end. What `loopmend interpolate` calls.
 #pragma once
 
+#include "core/message.h"
 #include "filling/subdivide_polyhedron.h"
 #include "pipeline/patch_result.h"
 
@@ -24,6 +25,6 @@ Interpolation interpolate_points(const SurfaceModel& polyhedron, const Subdivisi
                                  const Evolution::OnStep& on_step = nullptr);
 
 /// Why what was found must not be used; empty when it may.
-std::string refusal_of(const PatchResult& interpolated);
+Message refusal_of(const PatchResult& interpolated);
 
 }  // namespace loopmend

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/seam_report.h"
+#include "core/message.h"
 #include "core/notice.h"
 #include "mesh/patch.h"
 #include "mesh/validity.h"
@@ -36,7 +37,7 @@ struct Verdict {
   Proportion proportion;         ///< to the initial patch
 
   /// "a crease of 50° along 12 edges of the seam"; empty where it is good.
-  std::string sentence() const { return findings.empty() ? std::string() : english(findings.front()); }
+  Message message() const { return findings.empty() ? Message() : message_of(findings.front()); }
 };
 
 /// Where a loop lies. Patch frame.

@@ -8,7 +8,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr const char* mirror_name = "mirror image";
+constexpr const char* mirror_name = text_to_say("mirror image");
 
 /// ln(rms / D) = intercept + slope ln(misfit), and quantiles of the residuals: least squares over 64 holes of 11 models
 /// (docs/math/mirror_image.md, "How far off").
@@ -47,7 +47,7 @@ PatchResult mirrored_patch(const PatchProblem& problem, const EvolutionOptions& 
   MirrorPatch made =
       mirror_patch(problem.scan.model, problem.scan.index, problem.initial, *problem.mirror_planes, is_sound, cancel);
   result.mirror = made.fit;
-  result.reason = english(notice_on(made.fit));
+  result.reason = message_of(notice_on(made.fit));
   if (!made.patch) return result;
   result.status = PatchStatus::faired;
   result.method = Method::mirror_image;

@@ -83,23 +83,24 @@ class PlacedParts {
 };
 
 /// @returns why the patch was left out; empty where it was pasted.
-std::string paste(SurfaceModel& model, const Patch& patch, PlacedParts& parts, std::size_t place, ChordFaces& chords) {
+Message paste(SurfaceModel& model, const Patch& patch, PlacedParts& parts, std::size_t place, ChordFaces& chords) {
   const PatchGeometry geometry = patch_geometry(patch);
   if (const int edges = chords.count_crowded(model, geometry); edges > 0)
-    return nonmanifold_message(edges) + ": left open";
+    return joined(nonmanifold_message(edges), ": ", say("left open"));
   if (const PlacedPart* cut = parts.pasted_across(place)) {
     const std::string other = std::to_string(cut->loop), own = std::to_string(parts[place].loop);
-    return "its patch would cut that of loop " + other + ": left open; 'loopmend blend --loops 1:" + other +
-           ",1:" + own + "' joins the two by one surface";
+    return joined(say("its patch would cut that of loop %1: left open", other), "; ",
+                  say("'loopmend blend --loops 1:%1,1:%2' joins the two by one surface", other, own))
+        .with_code("patches_cross");
   }
   try {
     append_colored_patch(model, geometry);
   } catch (const InvalidArgument& error) {
-    return error.what();
+    return error.message();
   }
   chords.add_patch(model, geometry);
   parts[place].is_pasted = true;
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -110,7 +111,7 @@ std::vector<PastedPatch> paste_patches(SurfaceModel& model, const std::vector<co
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return first_loop(*patches[a]) < first_loop(*patches[b]); });
-  std::vector<PastedPatch> outcomes(patches.size(), {no_memory_message});
+  std::vector<PastedPatch> outcomes(patches.size(), {no_memory_message()});
   PlacedParts parts(model, patches, order);
   std::size_t points = 0, triangles = 0;
   for (const Patch* patch : patches) {
@@ -127,7 +128,7 @@ std::vector<PastedPatch> paste_patches(SurfaceModel& model, const std::vector<co
     const int first_triangle = static_cast<int>(model.soup.triangles.size());
     try {
       outcomes[k].fault = paste(model, *patches[k], parts, place, chords);
-      if (outcomes[k].fault.empty()) outcomes[k] = {"", first_point, first_triangle};
+      if (outcomes[k].fault.empty()) outcomes[k] = {{}, first_point, first_triangle};
     } catch (const std::bad_alloc&) {  // as it says already
     }
   }

@@ -2,6 +2,7 @@
 // Finished patches into the surface, with the two checks that no result leaves without.
 #pragma once
 
+#include "core/message.h"
 #include "mesh/patch.h"
 #include "mesh/surface_model.h"
 
@@ -14,7 +15,7 @@ namespace loopmend {
 
 /// What became of a patch.
 struct PastedPatch {
-  std::string fault;        ///< why it was left out; empty: it was pasted
+  Message fault;            ///< why it was left out; empty: it was pasted
   int first_point = -1;     ///< of its own in the surface, which follow one another; -1: left out
   int first_triangle = -1;  ///< the same for its triangles
 };

@@ -15,10 +15,10 @@ double rms(const ReliefBands& bands) {
   return std::sqrt(sum);
 }
 
-/// "0.0123 (0.0131 around the hole)", in mesh units.
-std::string heights(const ReliefBands& patch, const ReliefBands& around, double scale) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.3g (%.3g around the hole)", rms(patch) * scale, rms(around) * scale);
+/// "0.0123", in mesh units.
+std::string height(const ReliefBands& bands, double scale) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", rms(bands) * scale);
   return text;
 }
 
@@ -32,20 +32,29 @@ void add_relief(const PatchProblem& problem, const SplitEstimate& estimate, cons
       choice.seed * 1'000'003 + (result.patch.loop_numbers.empty() ? 0 : result.patch.loop_numbers.front());
   const std::optional<ContinuedRelief> relief = continue_relief(result.patch, estimate, seed, cancel);
   if (cancel.cancelled()) return;
-  if (!relief) return add_message(result, "the scan around the hole has no relief to continue");
-  const std::string strength = heights(relief->patch, relief->around, result.patch.scale);
+  if (!relief)
+    return add_message(result, say("the scan around the hole has no relief to continue").with_code("no_relief"));
+  const std::string own = height(relief->patch, result.patch.scale),
+                    around = height(relief->around, result.patch.scale);
   Patch rough = result.patch;
   std::copy(relief->positions.begin(), relief->positions.end(), rough.positions.begin());
   if (rough.positions == result.patch.positions)
-    return add_message(result, "the patch has as much relief as the scan without any added, rms " + strength);
+    return add_message(
+        result,
+        say("the patch has as much relief as the scan without any added, rms %1 (%2 around the hole)", own, around)
+            .with_code("relief_enough"));
   Validity validity = validate(problem.scan, rough);
   if (!validity.is_clean() && !no_worse(validity, validate(problem.scan, problem.initial)) &&
       !no_worse(validity, result.validity))
-    return add_message(result, "with relief the patch would fold or cut the surface: it stays smooth");
+    return add_message(
+        result,
+        say("with relief the patch would fold or cut the surface: it stays smooth").with_code("relief_crosses"));
   result.patch = std::move(rough);
   result.validity = std::move(validity);
   result.seams = seam_reports(result.patch);
-  add_message(result, "relief continued at random, rms " + strength);
+  add_message(
+      result,
+      say("relief continued at random, rms %1 (%2 around the hole)", own, around).with_code("relief_continued"));
 }
 
 }  // namespace loopmend

@@ -15,8 +15,8 @@ void take_figures(const Evolution& evolution, PatchResult& result) {
   result.bending = evolution.bending();
 }
 
-void add_message(PatchResult& result, const std::string& text) {
-  result.message += (result.message.empty() ? "" : "; ") + text;
+void add_message(PatchResult& result, Message message) {
+  result.message = joined(std::move(result.message), "; ", std::move(message));
 }
 
 std::string method_name(const PatchResult& result) {

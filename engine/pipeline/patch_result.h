@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/seam_report.h"
+#include "core/message.h"
 #include "evolution/evolution.h"
 #include "mesh/patch.h"
 #include "mesh/validity.h"
@@ -21,8 +22,8 @@ struct PatchResult {
   PatchStatus status = PatchStatus::failed;
   FlowKind flow = FlowKind::mmcvf;        ///< that was asked for
   Method method = Method::initial_patch;  ///< what shaped the patch
-  std::string message;                    ///< for a person: what is to be known of the patch; empty when all is well
-  std::string reason;  ///< why it was not the flow that was asked for, and how to get that; empty if it was
+  Message message;                        ///< for a person: what is to be known of the patch; empty when all is well
+  Message reason;  ///< why it was not the flow that was asked for, and how to get that; empty if it was
   std::vector<std::string> attempts;  ///< candidates that were computed, in order
   std::string made_by;                ///< the candidate that was kept; empty where it is the initial patch
   Patch patch;
@@ -54,7 +55,7 @@ struct PatchResult {
 void take_figures(const Evolution& evolution, PatchResult& result);
 
 /// Behind what is said already.
-void add_message(PatchResult& result, const std::string& text);
+void add_message(PatchResult& result, Message message);
 
 /// The word of reports for what shaped the patch; empty where there is none.
 std::string method_name(const PatchResult& result);

@@ -20,14 +20,13 @@ namespace {
 
 /// @param a, b  vertices of the mesh as it was read.
 TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
-  const std::string name = "bridge (" + std::to_string(a) + ", " + std::to_string(b) + "): ";
   const int count = static_cast<int>(model.soup.points.size());
   if (a < 0 || b < 0 || a >= count || b >= count)
-    throw InvalidArgument(name + "the mesh has " + std::to_string(count) + " vertices, numbered from 0");
+    throw InvalidArgument(say("bridge (%1, %2): the mesh has %3 vertices, numbered from 0", a, b, count));
   try {
     return with_bridge(model, a, b);
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(name + error.what());
+    throw InvalidArgument(say("bridge (%1, %2): %3", a, b, error.message()));
   }
 }
 
@@ -103,8 +102,7 @@ TriangleSoup based(const SurfaceModel& model, const PrepareOptions::Base& base, 
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   const std::size_t place = base.loop == 0 ? 0 : static_cast<std::size_t>(base.loop) - 1;
   if (place >= loops.size())
-    throw InvalidArgument("--base: there is no loop " + std::to_string(place + 1) +
-                          "; 'loopmend info' lists the loops");
+    throw InvalidArgument(say("--base: there is no loop %1; 'loopmend info' lists the loops", place + 1));
   number = loops[place].number;
   return with_base(model, loops[place], base.distance);
 }
@@ -128,8 +126,8 @@ StitchTolerance stitch_tolerance_of(const std::string& text) {
   if (is_percent) word.remove_suffix(1);
   const std::optional<double> number = number_in(word);
   if (!number || *number < 0 || (is_percent && *number > most_percent))
-    throw InvalidArgument("--stitch takes a length such as 0.5, or up to 40 % of the edges there such as 5%, not '" +
-                          text + "'");
+    throw InvalidArgument(
+        say("--stitch takes a length such as 0.5, or up to 40 % of the edges there such as 5%, not '%1'", text));
   if (is_percent) return {*number / 100, std::nullopt};
   return {StitchTolerance().edges, *number};
 }
@@ -141,8 +139,8 @@ PrepareOptions::Base base_of(const std::string& text) {
   const std::optional<double> distance = number_in(std::string_view(text).substr(names_loop ? colon + 1 : 0));
   const bool is_number = loop && *loop == std::floor(*loop) && *loop >= (names_loop ? 1 : 0) && *loop < 1e9;
   if (!is_number || !distance || !(*distance > 0))
-    throw InvalidArgument("--base takes a length above 0 such as 5, or a loop and a length such as 2:5, not '" + text +
-                          "'");
+    throw InvalidArgument(
+        say("--base takes a length above 0 such as 5, or a loop and a length such as 2:5, not '%1'", text));
   return {static_cast<int>(*loop), *distance};
 }
 

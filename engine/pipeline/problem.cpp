@@ -43,8 +43,7 @@ PosedProblem pose_region(const ModelPtr& model, const std::vector<int>& vertices
                    [model, region](const Patch& evolved) { return with_region(*model, *region, evolved); }};
   posed.replaced = region->own_triangle;
   if (region->held_at_boundary > 0)
-    posed.remark =
-        std::to_string(region->held_at_boundary) + " vertices of the region lie on the surface's boundary: they stay";
+    posed.remark = say("%1 vertices of the region lie on the surface's boundary: they stay", region->held_at_boundary);
   posed.solve = [model, region](const EvolutionOptions& options, const Evolution::OnStep& on_step,
                                 const CancelToken& cancel) {
     Solution solution{{}, evolve_region(*region, options, on_step, cancel), {}};
@@ -78,10 +77,10 @@ PosedProblem pose_bridge(const ModelPtr& model, const std::vector<BoundaryLoop>&
   std::vector<BoundaryLoop> ends = loops;
   const std::size_t turned = turn_opposed_pieces(agreed, ends, find_opposed_loops(agreed, ends));
   BridgeOutcome outcome = bridge_loops(agreed, ends, options, cancel);
-  if (!outcome.bridge) throw InvalidArgument("the loops were not joined: " + outcome.message);
+  if (!outcome.bridge) throw InvalidArgument(say("the loops were not joined: %1", outcome.message));
   PosedProblem posed;
   posed.problem = {std::move(outcome.bridge->start), pasting(std::make_shared<const SurfaceModel>(std::move(agreed)))};
-  if (turned > 0) posed.remark = std::to_string(turned) + " faces were turned round: their inside faced the gap";
+  if (turned > 0) posed.remark = say("%1 faces were turned round: their inside faced the gap", turned);
   posed.solve = [model, loops, options](const EvolutionOptions& evolution, const Evolution::OnStep& on_step,
                                         const CancelToken& token) {
     return blended(*model, loops, {options, evolution}, on_step, token);
@@ -93,8 +92,8 @@ PosedProblem pose_holes(const ModelPtr& model, const std::vector<BoundaryLoop>& 
                         const InitialPatchOptions& options, const CancelToken& cancel) {
   InitialPatch initial = make_initial_patch(*model, holes, options, cancel);
   if (!initial.patch)
-    throw InvalidArgument("no hole could be filled" +
-                          (initial.outcomes.empty() ? std::string() : ": " + initial.outcomes.front().message));
+    throw InvalidArgument(joined(say("no hole could be filled"), ": ",
+                                 initial.outcomes.empty() ? Message() : initial.outcomes.front().message));
   PosedProblem posed;
   posed.problem = {std::move(*initial.patch), pasting(model)};
   return posed;

@@ -2,6 +2,7 @@
 // Problems beside single holes, posed and solved alike by the command line and the window.
 #pragma once
 
+#include "core/message.h"
 #include "filling/loop_patch.h"
 #include "filling/subdivide_polyhedron.h"
 #include "pipeline/evolve_region.h"
@@ -23,7 +24,7 @@ struct Problem {
 struct Solution {
   TriangleSoup surface;  ///< the whole; empty when refused or cancelled
   PatchResult outcome;
-  std::string refusal;  ///< why the surface must not be used, without a full stop; empty: it may
+  Message refusal;  ///< why the surface must not be used, without a full stop; empty: it may
 };
 
 using ModelPtr = std::shared_ptr<const SurfaceModel>;
@@ -32,7 +33,7 @@ using ModelPtr = std::shared_ptr<const SurfaceModel>;
 struct PosedProblem {
   Problem problem;
   std::vector<int> replaced;  ///< triangles of the model's soup that the patch takes the place of
-  std::string remark;         ///< something to know about it; may be empty
+  Message remark;             ///< something to know about it; may be empty
   std::function<Solution(const EvolutionOptions&, const Evolution::OnStep&, const CancelToken&)> solve;
 };
 

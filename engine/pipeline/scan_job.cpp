@@ -23,7 +23,7 @@ SurfaceModel model_from(const std::filesystem::path& source, TriangleSoup soup) 
   try {
     return make_surface_model(std::move(soup));
   } catch (const InvalidArgument& error) {
-    throw ReadError(source, error.what(), "", "Check the mesh in the program that made it.");
+    throw ReadError(source, error.message(), {}, say("Check the mesh in the program that made it."));
   }
 }
 
@@ -54,7 +54,7 @@ std::vector<LoopChoice> choices_after_trim(const std::vector<BoundaryLoop>& loop
       continue;
     }
     if (!named) choices[k] = choose_unnamed(loops[k], job.loops);
-    if (std::exchange(choices[k].fill, false) || named) choices[k].why_not = "not selected";
+    if (std::exchange(choices[k].fill, false) || named) choices[k].why_not = not_selected();
   }
   return choices;
 }
@@ -108,8 +108,10 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
     if (2 * closing <= loop.edges()) continue;
     choice.fill = false;
     choice.left = LoopChoice::Left::wide_crack;
-    choice.why_not = "crack: " + std::to_string(closing) + " of its " + std::to_string(loop.edges()) +
-                     " edges lie beside another within a tenth of their length (--stitch joins them)";
+    choice.why_not = with_cure(say("crack: %1 of its %2 edges lie beside another within a tenth of their length",
+                                   closing, loop.edges()),
+                               say("--stitch joins them"))
+                         .with_code("wide_crack");
   }
 }
 
@@ -123,8 +125,10 @@ void name_cures(ScanPlan& plan, const ScanJob& job) {
       choice.cure = LoopChoice::Cure::none;
     switch (choice.cure) {
       case LoopChoice::Cure::none: break;
-      case LoopChoice::Cure::stitch: choice.why_not += " (--stitch joins them)"; break;
-      case LoopChoice::Cure::repair: choice.why_not += " (--repair makes a hole of it, or nothing)"; break;
+      case LoopChoice::Cure::stitch: choice.why_not = with_cure(choice.why_not, say("--stitch joins them")); break;
+      case LoopChoice::Cure::repair:
+        choice.why_not = with_cure(choice.why_not, say("--repair makes a hole of it, or nothing"));
+        break;
     }
   }
 }
@@ -144,18 +148,18 @@ void check_shapes(const ScanPlan& plan, const ScanJob& job) {
   const std::optional<EvolutionOptions>& flow = job.fill.evolution;
   if (named && !(flow && flow->flow == FlowKind::mmcvf && flow->mode == EvolutionMode::steady))
     throw InvalidArgument(
-        "--loops takes flat, tangent and smooth only with --flow mmcvf and --mode steady, the defaults");
+        say("--loops takes flat, tangent and smooth only with --flow mmcvf and --mode steady, the defaults"));
 }
 
 /// A patch over each loop alone leaves the wall hollow, or goes through it.
 void name_rings(const ScanPlan& plan, std::vector<HoleResult>& results) {
   for (const auto& [i, j] : plan.rings)
     for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
-      std::string& message = results[static_cast<std::size_t>(own)].message;
-      if (!message.empty()) message += "; ";
-      message += "a wall ends at this loop and at loop " + std::to_string(other + 1) +
-                 ": 'loopmend blend --loops 1:" + std::to_string(std::min(i, j) + 1) +
-                 ",1:" + std::to_string(std::max(i, j) + 1) + "' joins them by a ring";
+      Message& message = results[static_cast<std::size_t>(own)].message;
+      message =
+          joined(std::move(message), "; ",
+                 say("a wall ends at this loop and at loop %1: 'loopmend blend --loops 1:%2,1:%3' joins them by a ring",
+                     other + 1, std::min(i, j) + 1, std::max(i, j) + 1));
     }
 }
 
@@ -228,11 +232,11 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
     const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
     const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.near) : 0;
     if (closing > 0)
-      results[k].message = std::to_string(closing) +
-                           " of its edges lie beside another within a tenth of their length: --stitch joins them" +
-                           (results[k].message.empty() ? "" : ". Without it, " + results[k].message);
+      results[k].message =
+          joined(say("%1 of its edges lie beside another within a tenth of their length: --stitch joins them", closing),
+                 "; ", results[k].message.empty() ? Message() : say("without it, %1", results[k].message));
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
-      results[k].message = "not finished in the time that --max-time allows: left open";
+      results[k].message = say("not finished in the time that --max-time allows: left open").with_code("out_of_time");
   }
   name_rings(plan, results);
   return results;

@@ -27,14 +27,18 @@ std::vector<int> free_vertices_per_loop(const Patch& patch) {
   return result;
 }
 
-std::string why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
-  if (std::string why = why_no_patch_exists(scan, loop); !why.empty()) return why;
-  return "every patch that was found would cut the surface or itself, in " + std::to_string(intersections) +
-         " places: left open; removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) "
-         "or a strip across the hole (--bridge) may help";
+Message why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
+  if (Message why = why_no_patch_exists(scan, loop); !why.empty()) return why;
+  return joined(
+             say("every patch that was found would cut the surface or itself, in %1 places: left open", intersections),
+             "; ",
+             say("removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip "
+                 "across the hole "
+                 "(--bridge) may help"))
+      .with_code("every_patch_crosses");
 }
 
-GroupResult failed_group(const std::vector<BoundaryLoop>& loops, const std::string& why) {
+GroupResult failed_group(const std::vector<BoundaryLoop>& loops, const Message& why) {
   GroupResult result;
   for (const BoundaryLoop& loop : loops) result.holes.push_back(open_hole(loop, PatchStatus::failed, why));
   return result;
@@ -46,9 +50,9 @@ GroupResult guarded(const std::vector<BoundaryLoop>& loops, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return failed_group(loops, no_memory_message);
+    return failed_group(loops, no_memory_message());
   } catch (const std::exception& error) {
-    return failed_group(loops, error.what());
+    return failed_group(loops, message_of(error));
   }
 }
 
@@ -64,7 +68,7 @@ class GroupSolver {
 
   GroupResult solve(const InitialPatch& asked) const {
     if (asked.origin == InitialPatch::Origin::evolved) return jointly(asked);
-    GroupResult result = failed_group(asked.loops, "");
+    GroupResult result = failed_group(asked.loops, {});
     const InitialPatch initial = without_tiny(asked, result);
     if (initial.loops.empty()) return result;
     if (asked.loops.size() == 1) return jointly(initial);
@@ -133,7 +137,7 @@ class GroupSolver {
              hole.verdict().grade == Grade::bad || (options_.evolution && hole.status == PatchStatus::filled);
     });
     if (initial.loops.size() == 1 || !spoilt || cancel_.cancelled()) return joint;
-    GroupResult single = failed_group(initial.loops, "");
+    GroupResult single = failed_group(initial.loops, {});
     for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
       put(guarded({initial.loops[k]}, [&] { return jointly(part_of(scan_.model, initial, {k}, options_.initial)); }),
           single);
@@ -155,7 +159,7 @@ class GroupSolver {
   }
 
   GroupResult unguarded(const InitialPatch& initial) const {
-    GroupResult result = failed_group(initial.loops, "");
+    GroupResult result = failed_group(initial.loops, {});
     for (std::size_t k = 0; k < initial.outcomes.size(); ++k) {
       result.holes[k].message = initial.outcomes[k].message;
       result.holes[k].seconds = initial.seconds;
@@ -203,7 +207,7 @@ class GroupSolver {
 
   /// Of a loop whose every patch cuts the surface: once more from an initial patch that does not. Where there is none, or
   /// anything goes wrong, `made` and `message` stay as they are.
-  void solve_from_uncut_triangles(const InitialPatch& initial, PatchResult& made, std::string& message) const {
+  void solve_from_uncut_triangles(const InitialPatch& initial, PatchResult& made, Message& message) const {
     const BoundaryLoop& loop = initial.loops.front();
     if (pierced_edges(scan_, loop) > 0) return;
     try {
@@ -222,7 +226,7 @@ class GroupSolver {
       PatchResult next = solved(uncut);
       if (next.validity.intersections > 0 || cancel_.cancelled()) return;
       judge_again({scan_, *uncut.patch, initial.loops}, options_.evolution.value_or(EvolutionOptions{}), next);
-      made.attempts.emplace_back("from triangles that cut nothing");
+      made.attempts.emplace_back(text_to_say("from triangles that cut nothing"));
       next.attempts.insert(next.attempts.begin(), made.attempts.begin(), made.attempts.end());
       message = uncut.outcomes.front().message;
       made = std::move(next);
@@ -231,7 +235,7 @@ class GroupSolver {
   }
 
   void bend_past_crumbs(const InitialPatch& initial, PatchResult& made) const {
-    made.attempts.emplace_back("bent past crumbs");
+    made.attempts.emplace_back(text_to_say("bent past crumbs"));
     std::optional<BentPatch> bent = bent_aside(scan_, made.patch, made.validity, cancel_);
     if (!bent) return;
     made.patch = std::move(bent->patch);
@@ -240,7 +244,7 @@ class GroupSolver {
     made.made_by = made.attempts.back();
     const std::vector<BoundaryLoop> loops = loops_of(initial);
     judge_again({scan_, *initial.patch, loops}, options_.evolution.value_or(EvolutionOptions{}), made);
-    add_message(made, bent_message);
+    add_message(made, bent_message());
   }
 
   /// The loops whose initial patch it is; none where a flow has moved it.
@@ -297,18 +301,21 @@ std::vector<double> expected_deviations(const std::vector<HoleResult>& holes) {
   return all;
 }
 
-std::string why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop) {
+Message why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop) {
   const int pierced = pierced_edges(scan, loop);
-  if (pierced == 0) return "";
-  return std::to_string(pierced) + (pierced == 1 ? " boundary edge intersects" : " boundary edges intersect") +
-         " the surface, so that no valid patch exists: left open; remove what crosses (--trim-crossing)";
+  if (pierced == 0) return {};
+  return joined(pierced == 1
+                    ? say("1 boundary edge intersects the surface, so that no valid patch exists: left open")
+                    : say("%1 boundary edges intersect the surface, so that no valid patch exists: left open", pierced),
+                "; ", say("remove what crosses (--trim-crossing)"))
+      .with_code("boundary_crosses");
 }
 
-HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why) {
+HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, Message why) {
   HoleResult result;
   result.loop = loop;
   result.status = status;
-  result.message = why;
+  result.message = std::move(why);
   return result;
 }
 

@@ -2,6 +2,7 @@
 // One group of holes from the initial patch to finished patches.
 #pragma once
 
+#include "core/message.h"
 #include "mirror/mirror_plane.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/patch_result.h"
@@ -18,7 +19,7 @@ namespace loopmend {
 struct HoleResult {
   BoundaryLoop loop;
   PatchStatus status = PatchStatus::skipped;  ///< of its patch, or why there is none
-  std::string message;                        ///< what is to be known of this hole; empty when all is well
+  Message message;                            ///< what is to be known of this hole; empty when all is well
   /// Shared by holes that were solved together; null where there is none. Where the hole was left open all the same, `status`
   /// and `message` say so, and this is what was not pasted.
   std::shared_ptr<const PatchResult> patch;
@@ -36,7 +37,7 @@ struct HoleResult {
   }
   /// The word of reports for what shaped the patch; empty where there is none.
   std::string method() const { return is_filled(status) ? method_name(outcome()) : std::string(); }
-  std::string reason() const { return is_filled(status) ? outcome().reason : std::string(); }
+  Message reason() const { return is_filled(status) ? outcome().reason : Message(); }
   int steps() const { return outcome().steps; }
   /// Zero where there is no patch, or where nobody measured.
   SeamReport seam_before() const { return entry(&PatchResult::seams_before); }
@@ -64,11 +65,11 @@ struct HoleResult {
 std::vector<double> expected_deviations(const std::vector<HoleResult>& holes);
 
 /// A hole that was left open.
-HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, const std::string& why);
+HoleResult open_hole(const BoundaryLoop& loop, PatchStatus status, Message why);
 
 /// Why nothing can fill the loop: its own edges run through the surface. Empty where they do not. Fast: asked before any patch
 /// is made.
-std::string why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop);
+Message why_no_patch_exists(const ScanIndex& scan, const BoundaryLoop& loop);
 
 struct GroupResult {
   std::vector<std::shared_ptr<const PatchResult>> patches;  ///< one that is `invalid` must not be pasted

@@ -128,11 +128,12 @@ std::optional<GroupResult> close_tiny_hole(const ScanIndex& scan, const Boundary
   if (rings != rings_of_test) patch = patch_of_few_triangles(scan.model, loop, rings);
   auto result = std::make_shared<PatchResult>();
   result->status = PatchStatus::filled;
-  result->made_by = "few triangles";
+  result->made_by = text_to_say("few triangles");
   result->attempts = {result->made_by};
-  result->message = patch->free_count == 0
-                        ? "too small to hold a free vertex: closed by triangles between its own vertices"
-                        : "too small for a flow: closed by triangles around one new vertex";
+  Message message = patch->free_count == 0
+                        ? say("too small to hold a free vertex: closed by triangles between its own vertices")
+                        : say("too small for a flow: closed by triangles around one new vertex");
+  result->message = std::move(message).with_code("tiny");
   result->validity = std::move(validity);
   result->verdicts.resize(1);
   result->verdicts.front().crease_deg = *crease;

@@ -21,7 +21,7 @@ constexpr double least_side = 1e-6;  ///< distance of the surface's middle from 
 constexpr int most_base_rows = 1000;
 
 /// Unit vector square to the loop's plane, away from the surface.
-Vec3 downward(const SurfaceModel& model, const BoundaryLoop& loop, const std::string& name) {
+Vec3 downward(const SurfaceModel& model, const BoundaryLoop& loop, const Message& name) {
   int count = 0;
   const std::vector<int> part = parts_of_points(model, count);
   const int own = part[model.soup_vertex[loop.vertices.front()]];
@@ -35,27 +35,26 @@ Vec3 downward(const SurfaceModel& model, const BoundaryLoop& loop, const std::st
   const Vec3 axis = loop_facing(model, loop).axis;
   const double side = (loop.center - middle / points).dot(axis);
   if (!(std::abs(side) > least_side * loop.diameter))
-    throw InvalidArgument(name + ": the surface lies in the plane of the loop, so that no side of it is below");
+    throw InvalidArgument(say("%1: the surface lies in the plane of the loop, so that no side of it is below", name));
   return side > 0 ? axis : Vec3(-axis);
 }
 
-void check_cuts(const TriangleSoup& soup, std::size_t given, const std::string& name) {
+void check_cuts(const TriangleSoup& soup, std::size_t given, const Message& name) {
   Triangles triangles(soup.triangles.begin() + static_cast<std::ptrdiff_t>(given), soup.triangles.end());
   const int made = static_cast<int>(triangles.size());
   triangles.insert(triangles.end(), soup.triangles.begin(),
                    soup.triangles.begin() + static_cast<std::ptrdiff_t>(given));
   const std::size_t cuts = self_intersections(soup.points, triangles, made).size();
   if (cuts > 0)
-    throw InvalidArgument(name + ": a straight wall would cut the surface, or itself, in " + std::to_string(cuts) +
-                          " places");
+    throw InvalidArgument(say("%1: a straight wall would cut the surface, or itself, in %2 places", name, cuts));
 }
 
 }  // namespace
 
 TriangleSoup with_base(const SurfaceModel& model, const BoundaryLoop& loop, double distance) {
-  const std::string name = "base of loop " + std::to_string(loop.number);
+  const Message name = say("base of loop %1", loop.number);
   if (!(distance > 0) || !std::isfinite(distance))
-    throw InvalidArgument(name + ": its distance must be a length above 0");
+    throw InvalidArgument(say("%1: its distance must be a length above 0", name));
   const Vec3 down = downward(model, loop, name);
   TriangleSoup soup = model.soup;
   std::vector<int> above;
@@ -86,7 +85,8 @@ TriangleSoup with_base(const SurfaceModel& model, const BoundaryLoop& loop, doub
     above = std::move(below);
   }
   const Triangles cap = triangulate_seen_flat(soup.points, above);
-  if (cap.empty()) throw InvalidArgument(name + ": the loop overlaps itself seen from below: no straight wall fits");
+  if (cap.empty())
+    throw InvalidArgument(say("%1: the loop overlaps itself seen from below: no straight wall fits", name));
   soup.triangles.insert(soup.triangles.end(), cap.begin(), cap.end());
   check_cuts(soup, model.soup.triangles.size(), name);
   return soup;

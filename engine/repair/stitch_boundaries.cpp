@@ -233,10 +233,9 @@ class Stitching {
 
 void check(const StitchTolerance& tolerance) {
   if (!(tolerance.edges >= 0 && tolerance.edges <= 0.4))
-    throw InvalidArgument("the tolerance of stitching must lie between 0 and 0.4, not " +
-                          std::to_string(tolerance.edges));
+    throw InvalidArgument(say("the tolerance of stitching must lie between 0 and 0.4, not %1", tolerance.edges));
   if (tolerance.length && !(*tolerance.length >= 0 && std::isfinite(*tolerance.length)))
-    throw InvalidArgument("the tolerance of stitching must be a length, not " + std::to_string(*tolerance.length));
+    throw InvalidArgument(say("the tolerance of stitching must be a length, not %1", *tolerance.length));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 void require(bool holds, const char* what) {
-  if (!holds) throw InvalidArgument(what);
+  if (!holds) throw InvalidArgument(verbatim(what));
 }
 
 TriangleSoup make_icosahedron() {

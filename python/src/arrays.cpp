@@ -17,14 +17,13 @@ std::string shape_of(const py::array& array) { return py::str(array.attr("shape"
 
 void check_shape(const py::array& array, const char* name, py::ssize_t columns) {
   if (array.ndim() == 2 && array.shape(1) == columns) return;
-  throw InvalidArgument(std::string(name) + " must have the shape (n, " + std::to_string(columns) + "), not " +
-                        shape_of(array));
+  throw InvalidArgument(say("%1 must have the shape (n, %2), not %3", std::string(name), columns, shape_of(array)));
 }
 
 void check_kind(const py::array& array, const char* name, const std::string& kinds, const char* what) {
   if (kinds.find(array.dtype().kind()) == std::string::npos)
-    throw InvalidArgument(std::string(name) + " must be " + what + ", not " +
-                          py::str(array.dtype()).cast<std::string>());
+    throw InvalidArgument(
+        say("%1 must be %2, not %3", std::string(name), what, py::str(array.dtype()).cast<std::string>()));
 }
 
 Points points_of(const py::array& vertices) {
@@ -36,8 +35,8 @@ Points points_of(const py::array& vertices) {
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     const Vec3 point(rows(i, 0), rows(i, 1), rows(i, 2));
     if (!point.allFinite())
-      throw InvalidArgument("vertex " + std::to_string(i) +
-                            " has a coordinate that is no finite number. Remove it and its faces first.");
+      throw InvalidArgument(
+          say("vertex %1 has a coordinate that is no finite number. Remove it and its faces first.", i));
     points[static_cast<std::size_t>(i)] = point;
   }
   return points;
@@ -51,8 +50,8 @@ Triangles triangles_from(const py::array_t<Number, py::array::forcecast>& faces,
     for (py::ssize_t c = 0; c < 3; ++c) {
       const Number v = rows(f, c);
       if (v < 0 || static_cast<std::uint64_t>(v) >= vertices)
-        throw InvalidArgument("face " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                              ", but the mesh has " + std::to_string(vertices) + " vertices, numbered from 0");
+        throw InvalidArgument(
+            say("face %1 names vertex %2, but the mesh has %3 vertices, numbered from 0", f, v, vertices));
       triangles[static_cast<std::size_t>(f)][static_cast<std::size_t>(c)] = static_cast<int>(v);
     }
   return triangles;
@@ -69,14 +68,14 @@ Triangles triangles_of(const py::array& faces, std::size_t vertices) {
 std::vector<Color> colors_of(const py::object& given, std::size_t vertices) {
   if (given.is_none()) return {};
   const py::array colors = py::array::ensure(given);
-  if (!colors) throw InvalidArgument("colors must be an array of the shape (n, 4)");
+  if (!colors) throw InvalidArgument(say("colors must be an array of the shape (n, 4)"));
   check_shape(colors, "colors", 4);
   if (!py::isinstance<py::array_t<std::uint8_t>>(colors))
-    throw InvalidArgument("colors must be of uint8, 0 to 255, not " + py::str(colors.dtype()).cast<std::string>());
+    throw InvalidArgument(
+        say("colors must be of uint8, 0 to 255, not %1", py::str(colors.dtype()).cast<std::string>()));
   const auto rows = py::array_t<std::uint8_t>(colors).unchecked<2>();
   if (static_cast<std::size_t>(rows.shape(0)) != vertices)
-    throw InvalidArgument("colors must have one row for each of the " + std::to_string(vertices) + " vertices, not " +
-                          std::to_string(rows.shape(0)));
+    throw InvalidArgument(say("colors must have one row for each of the %1 vertices, not %2", vertices, rows.shape(0)));
   std::vector<Color> result(vertices);
   for (std::size_t i = 0; i < vertices; ++i)
     for (std::size_t c = 0; c < 4; ++c) result[i][c] = rows(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(c));

@@ -26,7 +26,7 @@ constexpr const char* of_arrays = "arrays";  ///< format of what comes from no f
 /// A column with the number of each row, and one for each column of `values`.
 std::vector<AttributeColumn> columns_of(const Values& values, const std::vector<std::string>& names) {
   if (values.ndim() != 2 || values.shape(1) != static_cast<py::ssize_t>(names.size()))
-    throw InvalidArgument("there must be a name for each column of the values");
+    throw InvalidArgument(say("there must be a name for each column of the values"));
   const auto rows = values.unchecked<2>();
   std::vector<AttributeColumn> columns{AttributeColumn("row", ScalarType::int32)};
   for (py::ssize_t r = 0; r < rows.shape(0); ++r) columns.front().push(static_cast<double>(r));
@@ -72,7 +72,7 @@ py::tuple values_of(const std::vector<AttributeColumn>& given, const std::vector
 py::tuple carried_values(const py::array& vertices, const py::array& faces, const py::object& carried) {
   TriangleSoup soup = soup_of(vertices, faces, py::none());
   carry(carried, soup);
-  if (!soup.attributes) throw InvalidArgument("nothing is carried");
+  if (!soup.attributes) throw InvalidArgument(say("nothing is carried"));
   continue_attributes(soup);
   const ScanAttributes none;
   const ScanAttributes &given = *soup.attributes, &continued = soup.continued ? *soup.continued : none;
@@ -101,8 +101,8 @@ void carry(const py::object& carried, TriangleSoup& soup) {
       rows.triangle_rows.empty() ? rows.attributes->triangle_count : rows.triangle_rows.size();
   if (points > std::max<std::size_t>(soup.points.size(), 1) ||
       triangles > std::max<std::size_t>(soup.triangles.size(), 1))
-    throw InvalidArgument(
-        "the mesh has fewer vertices or faces than what it carries: leave `carried` out where you change the arrays");
+    throw InvalidArgument(say(
+        "the mesh has fewer vertices or faces than what it carries: leave `carried` out where you change the arrays"));
   soup.attributes = rows.attributes;
   soup.point_rows = rows.point_rows;
   soup.triangle_rows = rows.triangle_rows;

@@ -57,7 +57,8 @@ std::thread started(const std::function<void()>& work) {
   try {
     return std::thread(work);
   } catch (const std::system_error&) {
-    throw Error("the work needs a thread of its own, and the system allows no more (ulimit -u). Raise that limit.");
+    throw Error(
+        say("the work needs a thread of its own, and the system allows no more (ulimit -u). Raise that limit."));
   }
 }
 

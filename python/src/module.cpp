@@ -33,15 +33,14 @@ template <class T>
 std::optional<T> limit(const py::dict& options, const char* name) {
   const auto value = option<std::optional<T>>(options, name);
   if (value && !(*value > 0))
-    throw InvalidArgument(std::string(name) + " must be greater than 0, not " + std::to_string(*value));
+    throw InvalidArgument(say("%1 must be greater than 0, not %2", std::string(name), *value));
   return value;
 }
 
 int whole_number(const py::dict& options, const char* name, int most) {
   const int value = option<int>(options, name);
   if (value < 0 || value > most)
-    throw InvalidArgument(std::string(name) + " must lie between 0 and " + std::to_string(most) + ", not " +
-                          std::to_string(value));
+    throw InvalidArgument(say("%1 must lie between 0 and %2, not %3", std::string(name), most, value));
   return value;
 }
 
@@ -56,7 +55,7 @@ LoopSelection loop_selection(const py::dict& options) {
   LoopSelection loops;
   if (const auto text = option<std::optional<std::string>>(options, "loops")) loops.numbers = loop_numbers_of(*text);
   if (const auto vertices = option<std::optional<std::vector<int>>>(options, "at_vertices")) {
-    if (vertices->empty()) throw InvalidArgument("at_vertices names no vertex");
+    if (vertices->empty()) throw InvalidArgument(say("at_vertices names no vertex"));
     loops.at_vertices = *vertices;
   }
   loops.max_edges = limit<int>(options, "max_edges");
@@ -198,7 +197,9 @@ std::vector<std::string> write(const std::filesystem::path& path, const py::arra
   const py::gil_scoped_release others_may_run;
   WriteScanOptions options;
   options.encoding = ascii ? Encoding::ascii : Encoding::binary;
-  return write_scan(path, soup, options).remarks;
+  std::vector<std::string> remarks;
+  for (const Message& remark : write_scan(path, soup, options).remarks) remarks.push_back(remark.english());
+  return remarks;
 }
 
 py::dict sample() {

@@ -46,7 +46,7 @@ py::dict solved(const Solve& solve, const py::object& on_step) {
       },
       on_step);
   py::dict figures = patch_figures(result.outcome);
-  figures["refusal"] = result.refusal;
+  figures["refusal"] = result.refusal.english();
   figures["given_vertices"] = result.given_vertices;
   figures["turned_faces"] = result.turned_faces;
   figures["remeshed"] = result.remeshed;
@@ -61,7 +61,7 @@ py::dict blend(const std::vector<std::pair<py::array, py::array>>& parts, const 
   std::vector<TriangleSoup> soups;
   soups.reserve(parts.size());
   for (const auto& [vertices, faces] : parts) soups.push_back(soup_of(vertices, faces, py::none()));
-  if (soups.empty()) throw InvalidArgument("a blend needs one part at least");
+  if (soups.empty()) throw InvalidArgument(say("a blend needs one part at least"));
   const GroupOptions group = group_options(options);
   return solved(
       [&](const Evolution::OnStep& tell, const CancelToken& cancel) {
@@ -76,7 +76,7 @@ py::dict blend(const std::vector<std::pair<py::array, py::array>>& parts, const 
         Solved done{std::move(model.soup), std::move(result.outcome), "", joined.model.soup.points.size(),
                     result.turned_faces};
         if (done.outcome.status == PatchStatus::failed)
-          done.refusal = "the loops were not joined: " + done.outcome.message;
+          done.refusal = say("the loops were not joined: %1", done.outcome.message);
         return done;
       },
       on_step);
@@ -94,7 +94,7 @@ py::dict interpolate(const py::array& vertices, const py::array& faces, const st
       [&](const Evolution::OnStep& tell, const CancelToken& cancel) {
         const SurfaceModel polyhedron = make_surface_model(std::move(soup));
         Interpolation found = interpolate_points(polyhedron, subdivision, group.evolution, cancel, tell);
-        const std::string refusal = refusal_of(found.outcome);
+        const Message refusal = refusal_of(found.outcome);
         return Solved{std::move(found.surface), std::move(found.outcome), refusal,
                       static_cast<std::size_t>(found.fixed_count)};
       },
@@ -105,7 +105,7 @@ py::dict evolve(const py::array& vertices, const py::array& faces, const std::ve
                 const py::dict& options, const py::object& on_step) {
   TriangleSoup soup = soup_of(vertices, faces, py::none());
   const GroupOptions group = group_options(options);
-  if (!group.evolution) throw InvalidArgument("flow 'none' would leave the region as it is");
+  if (!group.evolution) throw InvalidArgument(say("flow 'none' would leave the region as it is"));
   return solved(
       [&](const Evolution::OnStep& tell, const CancelToken& cancel) {
         const SurfaceModel model = make_surface_model(std::move(soup));

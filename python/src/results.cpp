@@ -27,10 +27,11 @@ py::list seams_of(const std::vector<SeamReport>& seams) {
 py::dict verdict_figures(const Verdict& verdict) {
   py::list findings;
   for (const Notice& finding : verdict.findings)
-    findings.append(
-        py::dict("code"_a = to_string(finding.code), "arguments"_a = finding.arguments, "text"_a = english(finding)));
-  return py::dict("grade"_a = to_string(verdict.grade), "sentence"_a = verdict.sentence(), "findings"_a = findings,
-                  "crease_deg"_a = verdict.crease_deg, "height"_a = verdict.height, "folds"_a = verdict.folds);
+    findings.append(py::dict("code"_a = to_string(finding.code), "arguments"_a = finding.arguments,
+                             "text"_a = message_of(finding).english()));
+  return py::dict("grade"_a = to_string(verdict.grade), "sentence"_a = verdict.message().english(),
+                  "findings"_a = findings, "crease_deg"_a = verdict.crease_deg, "height"_a = verdict.height,
+                  "folds"_a = verdict.folds);
 }
 
 py::object deviation_figures(const ExpectedDeviation& deviation) {
@@ -42,7 +43,7 @@ py::object mirror_figures(const MirrorFit& fit) {
   if (fit.answer == MirrorFit::Answer::not_asked) return py::none();
   const auto vector = [](const Vec3& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
   return py::dict("answer"_a = to_string(fit.answer), "is_taken"_a = fit.is_proposed(), "misfit"_a = fit.misfit,
-                  "quadric"_a = fit.quadric, "text"_a = english(notice_on(fit)),
+                  "quadric"_a = fit.quadric, "text"_a = message_of(notice_on(fit)).english(),
                   "plane_point"_a = vector(fit.plane.point), "plane_normal"_a = vector(fit.plane.normal),
                   "plane_misfit"_a = fit.plane.misfit);
 }
@@ -51,9 +52,9 @@ py::dict hole_figures(const HoleResult& hole, NewPart part) {
   py::dict figures = loop_figures(hole.loop);
   figures["status"] = to_string(hole.status);
   figures["is_filled"] = is_filled(hole.status);
-  figures["message"] = hole.message;
+  figures["message"] = hole.message.english();
   figures["method"] = hole.method();
-  figures["reason"] = hole.reason();
+  figures["reason"] = hole.reason().english();
   figures["verdict"] = is_filled(hole.status) ? py::object(verdict_figures(hole.verdict())) : py::none();
   figures["expected_deviation"] = deviation_figures(hole.deviation());
   figures["mirror"] = mirror_figures(hole.mirror);
@@ -107,10 +108,10 @@ py::dict loop_figures(const BoundaryLoop& loop) {
 }
 
 py::dict patch_figures(const PatchResult& result) {
-  return py::dict("status"_a = to_string(result.status), "message"_a = result.message, "method"_a = method_name(result),
-                  "reason"_a = result.reason, "steps"_a = result.steps, "energy_before"_a = result.energy.initial,
-                  "energy_after"_a = result.energy.final, "folds"_a = result.validity.folds,
-                  "self_intersections"_a = result.validity.intersections,
+  return py::dict("status"_a = to_string(result.status), "message"_a = result.message.english(),
+                  "method"_a = method_name(result), "reason"_a = result.reason.english(), "steps"_a = result.steps,
+                  "energy_before"_a = result.energy.initial, "energy_after"_a = result.energy.final,
+                  "folds"_a = result.validity.folds, "self_intersections"_a = result.validity.intersections,
                   "min_angle_deg"_a = result.validity.min_angle_deg, "seams_before"_a = seams_of(result.seams_before),
                   "seams_after"_a = seams_of(result.seams));
 }

@@ -11,7 +11,7 @@ GroupOptions group_options(const pybind11::dict& options) {
   const auto flow = option<std::string>(options, "flow");
   const bool flows = flow != "none";
   if (flows && !value_named(flow_names, flow))
-    throw InvalidArgument("flow takes one of mmcvf, wf, sdf, mcf, none, not '" + flow + "'");
+    throw InvalidArgument(say("flow takes one of mmcvf, wf, sdf, mcf, none, not '%1'", flow));
   if (flows) evolution.flow = named(options, "flow", flow_names);
   evolution.boundary = named(options, "boundary", boundary_names);
   evolution.continuity = named(options, "continuity", continuity_names);

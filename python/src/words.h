@@ -31,7 +31,7 @@ T named(const pybind11::dict& options, const char* option_name, const std::array
   if (const auto value = value_named(table, name)) return *value;
   std::string known;
   for (const Named<T>& entry : table) known += (known.empty() ? "" : ", ") + std::string(entry.name);
-  throw InvalidArgument(std::string(option_name) + " takes one of " + known + ", not '" + name + "'");
+  throw InvalidArgument(say("%1 takes one of %2, not '%3'", std::string(option_name), known, name));
 }
 
 /// flow, mode, steps, sigma, solver, boundary, continuity, density.

@@ -5,10 +5,11 @@
 Usage: make_ts.py FOLDER   writes loopmend_de.ts and loopmend_en.ts there
        make_ts.py --check  exit code 1 where a string has no translation
 
-It calls lupdate, and fills loopmend_de.ts from german.json and loopmend_en.ts, which has plural forms only (all else is English in
+It calls lupdate, adds what the engine says (core/message.h) as context "Message", and fills loopmend_de.ts from german.json and loopmend_en.ts, which has plural forms only (all else is English in
 the sources), from english_plurals.json. It names the strings that are not translated yet.
 """
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -21,9 +22,38 @@ app = here.parent.parent / "app"
 lupdate = next((tool for tool in (shutil.which("lupdate", path="/usr/lib/qt5/bin"), shutil.which("lupdate")) if tool), None)
 
 
-def fill(path, words, plurals):
-    """Writes the words into the file. Returns the strings that have none."""
-    tree = ET.parse(path)
+def said():
+    """The literals in calls of say() and text_to_say(). Not those that the window never shows: it has a substitute
+    (message_words.cpp), or they name an option and are the command line's alone."""
+    literal = r'"(?:[^"\\\n]|\\.)*"'
+    call = re.compile(rf'\b(?:say|text_to_say)\(\s*((?:{literal}\s*)+)')
+    texts = set()
+    for source in [*app.parent.glob("engine/**/*"), *app.glob("**/*")]:
+        if source.suffix not in (".h", ".cpp") or app / "cli" in source.parents:
+            continue
+        for found in call.findall(source.read_text(encoding="utf-8")):
+            texts.add("".join(json.loads(part) for part in re.findall(literal, found)))
+    table = (app / "document" / "message_words.cpp").read_text(encoding="utf-8")
+    for found in re.findall(rf"\{{((?:\s*{literal})+),\s*QT_TRANSLATE_NOOP", table):
+        texts.discard("".join(json.loads(part) for part in re.findall(literal, found)))
+    return sorted(text for text in texts if not re.search(r"--\w|'loopmend ", text))
+
+
+def add_said(tree):
+    context = next((c for c in tree.getroot().iter("context") if c.find("name").text == "Message"), None)
+    if context is None:
+        context = ET.SubElement(tree.getroot(), "context")
+        ET.SubElement(context, "name").text = "Message"
+    known = {source.text for source in context.iter("source")}
+    for text in said():
+        if text not in known:
+            message = ET.SubElement(context, "message")
+            ET.SubElement(message, "source").text = text
+            ET.SubElement(message, "translation")
+
+
+def fill(tree, words, plurals):
+    """Writes the words into the tree. Returns the strings that have none, or have one with other places."""
     missing = []
     for message in tree.getroot().iter("message"):
         source = message.find("source").text
@@ -38,10 +68,11 @@ def fill(path, words, plurals):
         else:
             found = source in words
             target.text = words.get(source)
+            places = [sorted(re.findall(r"%L?[1-9n]", text)) for text in (source, target.text or "")]
+            found = found and places[0] == places[1]
         if not found:
             target.set("type", "unfinished")
             missing.append(source)
-    tree.write(path, encoding="utf-8", xml_declaration=True)
     return missing
 
 
@@ -52,7 +83,11 @@ def make(folder, language, words, plurals, options):
         made = Path(scratch) / name
         subprocess.run([lupdate, "-silent", "-locations", "none", *options, str(app), "-ts", str(made)],
                        check=True, stderr=subprocess.DEVNULL)
-        missing = fill(made, words, plurals)
+        tree = ET.parse(made)
+        if language != "en":
+            add_said(tree)
+        missing = fill(tree, words, plurals)
+        tree.write(made, encoding="utf-8", xml_declaration=True)
         text = made.read_bytes()
     if folder and not ((folder / name).exists() and (folder / name).read_bytes() == text):
         (folder / name).write_bytes(text)

@@ -128,7 +128,7 @@ TEST(ScanColors, a_missing_picture_is_told_and_the_rest_is_drawn) {
   std::ofstream(folder / "m.mtl") << "newmtl skin\nmap_Kd lost.png\nnewmtl paint\nKd 0 1 0\n";
   const ScanColors colors = scan_colors(model_of(folder, "t.obj", textured));
   ASSERT_EQ(colors.problems.size(), 1U);
-  EXPECT_NE(colors.problems.front().find("lost.png"), std::string::npos);
+  EXPECT_NE(colors.problems.front().english().find("lost.png"), std::string::npos);
   EXPECT_EQ(colors.at_vertices[3], (Color{0, 255, 0, 255}));
 }
 

@@ -70,7 +70,8 @@ void run_sets(std::uint64_t first, int count) {
     table.add({std::to_string(seed), size_text(set.tubes.size()), set.angles, set.radii,
                to_string(result.outcome.status), number(result.outcome.patch.free_count), number(result.outcome.steps),
                number(result.outcome.bending), number(result.outcome.validity.min_angle_deg),
-               number(worst_jump(result.outcome.seams)), number(result.outcome.seconds.total), result.outcome.message});
+               number(worst_jump(result.outcome.seams)), number(result.outcome.seconds.total),
+               result.outcome.message.english()});
     std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.outcome.status),
                  result.outcome.steps);
   }
@@ -85,7 +86,7 @@ void trace(std::uint64_t seed) {
   const Problem problem = problem_of(set.tubes);
   const BridgeOutcome outcome = bridge_loops(problem.model, problem.boundaries, {}, {});
   if (!outcome.bridge) {
-    std::printf("%s\n", outcome.message.c_str());
+    std::printf("%s\n", outcome.message.english().c_str());
     return;
   }
   const Validity& quality = outcome.bridge->quality;
@@ -103,8 +104,9 @@ void trace(std::uint64_t seed) {
                                min_angle_deg(p.positions, p.triangles, p.patch_triangles));
                  },
                  {});
-    std::printf("%s: %s, %d folds, %d cuts, min angle %.1f\n", evolved.message.c_str(), to_string(evolved.status),
-                evolved.validity.folds, evolved.validity.intersections, evolved.validity.min_angle_deg);
+    std::printf("%s: %s, %d folds, %d cuts, min angle %.1f\n", evolved.message.english().c_str(),
+                to_string(evolved.status), evolved.validity.folds, evolved.validity.intersections,
+                evolved.validity.min_angle_deg);
     return evolved.patch;
   };
   for (SteadyStart start : {SteadyStart::faired, SteadyStart::evenly_faired, SteadyStart::as_given})

@@ -298,7 +298,7 @@ std::map<std::string, double> read_reference(const std::string& path) {
   std::map<std::string, double> d;
   if (path.empty()) return d;
   std::ifstream in(path);
-  if (!in) throw InvalidArgument("the reference " + path + " cannot be read");
+  if (!in) throw InvalidArgument(verbatim("the reference " + path + " cannot be read"));
   for (std::string line; std::getline(in, line);) {
     std::vector<std::string> cells;
     std::istringstream row(line);

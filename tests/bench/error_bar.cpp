@@ -50,7 +50,7 @@ std::vector<Hole> read_holes(const std::string& path) {
     if (cells[column.at("method")] != "auto" || !(number("second_order") > 0)) continue;
     holes.push_back({cells[column.at("model")], number("d") / 1000, number("second_order")});
   }
-  if (holes.empty()) throw InvalidArgument("no hole with an error bar in " + path);
+  if (holes.empty()) throw InvalidArgument(verbatim("no hole with an error bar in " + path));
   return holes;
 }
 

@@ -2,9 +2,9 @@
 #include "ring_gaps.h"
 
 #include "analysis/seam_report.h"
-#include "pipeline/blend.h"
 #include "known_surfaces.h"
 #include "peers.h"
+#include "pipeline/blend.h"
 #include "samples/analytic_surfaces.h"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ void add_row(const KnownSurface& surface, MeshKind kind, int around, Table& tabl
   const RingGap gap = ring_gap(surface);
   SurfaceModel model = gap.model;
   const BlendResult result = blend_loops(model, gap.loops, {}, {});
-  if (result.outcome.status == PatchStatus::failed) throw std::runtime_error(result.outcome.message);
+  if (result.outcome.status == PatchStatus::failed) throw std::runtime_error(result.outcome.message.english());
   const RingFigures ours = figures_of(result.outcome.patch, surface, gap.diameter);
   const RingFigures exact = figures_of(on_surface(result.outcome.patch, surface), surface, gap.diameter);
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -96,9 +96,9 @@ void add_row(const KnownSurface& surface, MeshKind kind, int around, Table& tabl
         best.distance = std::min(best.distance, peer.distance);
         best.jump = std::min(best.jump, peer.jump);
       }
-  table.add({surface.name, to_string(kind), number(around), to_string(result.outcome.status), number(result.outcome.patch.free_count),
-             number(result.outcome.steps), number(ours.distance), number(best.distance), number(ours.jump), number(best.jump),
-             number(exact.jump)});
+  table.add({surface.name, to_string(kind), number(around), to_string(result.outcome.status),
+             number(result.outcome.patch.free_count), number(result.outcome.steps), number(ours.distance),
+             number(best.distance), number(ours.jump), number(best.jump), number(exact.jump)});
 }
 
 }  // namespace

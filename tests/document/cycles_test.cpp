@@ -108,9 +108,15 @@ SceneCopy copy_of(const Document& document) {
   SceneCopy scene;
   for (const OpenPatch* patch : open) {
     const PatchState& state = *patch->state;
-    PatchCopy copy{patch->loops,  patch->acceptance,      state.status,
-                   state.steps,   state.patch.free_count, state.recipe.runs.size(),
-                   state.message, state.patch.triangles,  {}};
+    PatchCopy copy{patch->loops,
+                   patch->acceptance,
+                   state.status,
+                   state.steps,
+                   state.patch.free_count,
+                   state.recipe.runs.size(),
+                   state.message.english(),
+                   state.patch.triangles,
+                   {}};
     add_bits(copy.bits, state.patch.positions);
     add_bits(copy.bits, {state.patch.center, Vec3(state.patch.scale, state.energy.initial, state.energy.final)});
     const StepRecord& step = state.last_step;

@@ -33,9 +33,9 @@ TEST(Document, TellsTheStateOfEveryLoop) {
   EXPECT_EQ(document.state(square), HoleState::open);
   document.set_outer_rims(OuterRims::include);
   EXPECT_EQ(document.state(boundary), HoleState::open);
-  document.add_failures({{diamond, "no room"}});
+  document.add_failures({{diamond, verbatim("no room")}});
   EXPECT_EQ(document.state(diamond), HoleState::failed);
-  EXPECT_EQ(document.message(diamond), "no room");
+  EXPECT_EQ(document.message(diamond).english(), "no room");
   document.forget_failures({diamond});
   EXPECT_EQ(document.state(diamond), HoleState::open);
 

@@ -29,7 +29,7 @@ struct HoleFilterTest : testing::Test {
 TEST_F(HoleFilterTest, ShowsTheGroupThatIsAskedFor) {
   EXPECT_EQ(shown(), (Loops{boundary, square, diamond}));
   EXPECT_FALSE(filter.narrowed());
-  document.add_failures({{diamond, "no room"}});
+  document.add_failures({{diamond, verbatim("no room")}});
   const int id = add_patch(document, {square}, state_at(PatchStatus::stalled));
   EXPECT_EQ(shown(HoleGroup::left_out), Loops{boundary});
   EXPECT_EQ(shown(HoleGroup::to_do), Loops{diamond});

@@ -27,7 +27,7 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   auto state = std::make_shared<PatchState>();
   state->patch = make_patch(*scan.model, {loop}, {*fill_loop(*scan.model, loop, {}, {}).patch});
   state->status = PatchStatus::faired;
-  state->message = "a message with an umlaut: \xc3\xa4";
+  state->message = joined(say("a text of %1", 3), "; ", verbatim("an umlaut: \xc3\xa4")).with_code("code");
   RunRecipe run;
   run.flow = FlowKind::wf;
   run.mode = EvolutionMode::steady;
@@ -268,7 +268,8 @@ void use(const Session& session) {
 
 TEST_F(SessionTest, EveryByteChangedIsRefusedOrASessionThatCanBeUsed) {
   const QByteArray bytes = to_bytes(whole_session(), folder.path());
-  const int stride = qEnvironmentVariableIntValue("LOOPMEND_AT_LENGTH") == 1 ? 1 : 7;  // each bit of a byte has its turn
+  const int stride =
+      qEnvironmentVariableIntValue("LOOPMEND_AT_LENGTH") == 1 ? 1 : 7;  // each bit of a byte has its turn
   int read_well = 0, refused = 0;
   for (int at = 0; at < bytes.size(); at += at < 400 ? 1 : stride) {
     QByteArray changed = bytes;
@@ -335,11 +336,28 @@ TEST_F(SessionTest, PatchesThatDoNotHangTogetherAreRefused) {
 }
 
 TEST_F(SessionTest, OtherFilesAndVersionsAreRefused) {
-  QByteArray bytes = to_bytes(whole_session(), folder.path());
+  const QByteArray bytes = to_bytes(whole_session(), folder.path());
   EXPECT_THROW(read("ply\nformat ascii 1.0\n"), ReadError);
   EXPECT_THROW(session_from_file(path("absent.loopmend")), ReadError);
-  bytes[static_cast<int>(std::strlen("Loopmend session\n"))] = 99;
-  EXPECT_THROW(read(bytes), ReadError);
+  const int version = static_cast<int>(std::strlen("Loopmend session\n"));
+  for (const char change : {-1, 1, 89}) {
+    QByteArray other = bytes;
+    other[version] = static_cast<char>(other[version] + change);
+    try {
+      read(other);
+      ADD_FAILURE() << "was read: " << static_cast<int>(change);
+    } catch (const ReadError& error) {
+      EXPECT_NE(std::string(error.what()).find("this session is of another version of Loopmend"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(SessionTest, AMessageWithoutEndIsRefused) {
+  Session session = whole_session();
+  auto state = std::make_shared<PatchState>(*session.patches[0].state);
+  for (int depth = 0; depth < 1000; ++depth) state->message = say("%1", state->message);
+  session.patches[0].state = state;
+  EXPECT_THROW(read(to_bytes(session, folder.path())), ReadError);
 }
 
 TEST_F(SessionTest, AreToldByTheirEnding) {

@@ -67,7 +67,7 @@ TEST(SharpEdges, AHoleAcrossAnEdgeOfACubeComesBack) {
   const Filled filled = fill(without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2));
   ASSERT_EQ(filled.holes.size(), 1U);
   EXPECT_EQ(filled.patch().made_by, "sharp edges");
-  EXPECT_EQ(filled.holes.front().verdict().grade, Grade::good) << filled.holes.front().verdict().sentence();
+  EXPECT_EQ(filled.holes.front().verdict().grade, Grade::good) << filled.holes.front().verdict().message();
   EXPECT_LT(filled.farthest(off_cube), 1e-9);
   // The edge has a row of vertices on it, as dense as the neighborhood.
   int on_edge = 0;

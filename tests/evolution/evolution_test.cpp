@@ -231,7 +231,7 @@ TEST(Evolution, SmallSigmaTakesSmallSteps) {
   options.max_steps = 3;
   Evolution evolution(test::start_of(test::open_sphere(4, 0.8)), options);
   EXPECT_EQ(evolution.run(nullptr, {}), PatchStatus::step_limit);
-  EXPECT_NE(evolution.message(), "");
+  EXPECT_NE(evolution.message().english(), "");
   EXPECT_EQ(evolution.history().size(), 3u);
   options.max_steps = 200;
   options.sigma = 100;

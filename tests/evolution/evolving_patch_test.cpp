@@ -36,7 +36,7 @@ TEST(EvolvingPatch, StopsWhereTheNeighborhoodTellsNoCurvature) {
   for (int v : patch.state.patch.loops[0]) patch.state.ops.valid[v] = 0;
   EXPECT_FALSE(patch.require_fits());
   EXPECT_EQ(patch.status, PatchStatus::stalled);
-  EXPECT_NE(patch.message.find("too few vertices"), std::string::npos);
+  EXPECT_NE(patch.message.english().find("too few vertices"), std::string::npos);
 }
 
 }  // namespace

@@ -31,23 +31,25 @@ class MeditReader {
   PolygonSoup read() {
     read_header();
     for (std::string_view word = next(); word != "End"; word = next()) read_section(word);
-    if (!cursor_.next_token_across_lines().empty()) errors_.fail("there is more data after \"End\"", cursor_.place());
+    if (!cursor_.next_token_across_lines().empty())
+      errors_.fail(say("there is more data after \"End\""), cursor_.place());
     return std::move(soup_);
   }
 
  private:
   void read_header() {
-    if (next() != "MeshVersionFormatted") errors_.fail("\"MeshVersionFormatted\" is missing", cursor_.place());
-    integer("the version");
-    if (next() != "Dimension" || integer("the dimension") != 3)
-      errors_.fail("only meshes of dimension 3 are supported", cursor_.place(), "Export the surface alone, in space.");
+    if (next() != "MeshVersionFormatted") errors_.fail(say("\"MeshVersionFormatted\" is missing"), cursor_.place());
+    integer(say("the version"));
+    if (next() != "Dimension" || integer(say("the dimension")) != 3)
+      errors_.fail(say("only meshes of dimension 3 are supported"), cursor_.place(),
+                   say("Export the surface alone, in space."));
   }
 
   void read_section(std::string_view keyword) {
     const std::string name(keyword);
-    const std::int64_t rows = integer("the number of " + name);
+    const std::int64_t rows = integer(say("the number of %1", name));
     const auto most = static_cast<std::int64_t>(cursor_.bytes_left() / 2);  // a digit and a separator
-    if (rows < 0 || rows > most) errors_.too_many(name, std::to_string(rows), cursor_.place());
+    if (rows < 0 || rows > most) errors_.too_many(verbatim(name), rows, cursor_.place());
     for (std::int64_t row = 0; row < rows; ++row) {
       if (name == "Vertices")
         read_vertex();
@@ -60,7 +62,7 @@ class MeditReader {
     }
     if (name == "Vertices" || name == "Triangles" || name == "Quadrilaterals") return;
     soup_.skipped_elements += static_cast<std::size_t>(rows);
-    count_not_kept(soup_.not_kept, name, static_cast<std::size_t>(rows));
+    count_not_kept(soup_.not_kept, verbatim(name), static_cast<std::size_t>(rows));
   }
 
   void read_vertex() {
@@ -68,31 +70,30 @@ class MeditReader {
     for (double& x : point) {
       const std::string_view token = next();
       const std::optional<double> value = parse_double(token);
-      if (!value) errors_.not_a_number(token, "a coordinate", cursor_.place());
+      if (!value) errors_.not_a_number(token, say("a coordinate"), cursor_.place());
       x = *value;
     }
     if (!point.allFinite()) errors_.not_finite(soup_.points.size(), cursor_.place());
-    if (soup_.points.size() == most_points) errors_.fail("more than 2147483647 vertices", cursor_.place());
+    if (soup_.points.size() == most_points) errors_.fail(say("more than 2147483647 vertices"), cursor_.place());
     soup_.points.push_back(point);
-    read_reference("vertex references");
+    read_reference(say("vertex references"));
   }
 
   void read_face(int size) {
     const auto count = static_cast<std::int64_t>(soup_.points.size());
     for (int corner = 0; corner < size; ++corner) {
-      const std::int64_t index = integer("a vertex index");
+      const std::int64_t index = integer(say("a vertex index"));
       if (index < 1 || index > count)
-        errors_.bad_index(soup_.polygon_count(), std::to_string(index),
-                          "there are " + std::to_string(count) + ", from 1 on", cursor_.place());
+        errors_.bad_index(soup_.polygon_count(), index, say("there are %1, from 1 on", count), cursor_.place());
       soup_.corners.push_back(static_cast<int>(index - 1));
     }
     soup_.close_polygon();
-    read_reference("face references");
+    read_reference(say("face references"));
   }
 
   /// The number of a material or a part; 0 where there is none.
-  void read_reference(const char* what) {
-    if (integer("a reference number") != 0) count_not_kept(soup_.not_kept, what);
+  void read_reference(const Message& what) {
+    if (integer(say("a reference number")) != 0) count_not_kept(soup_.not_kept, what);
   }
 
   void skip_row() {
@@ -102,11 +103,11 @@ class MeditReader {
 
   std::string_view next() {
     const std::string_view token = cursor_.next_token_across_lines();
-    if (token.empty()) errors_.truncated("a section; \"End\" is missing", cursor_.place());
+    if (token.empty()) errors_.truncated(say("a section; \"End\" is missing"), cursor_.place());
     return token;
   }
 
-  std::int64_t integer(const std::string& what) {
+  std::int64_t integer(const Message& what) {
     const std::string_view token = next();
     const std::optional<std::int64_t> value = parse_integer(token);
     if (!value) errors_.not_a_number(token, what, cursor_.place());

@@ -71,7 +71,7 @@ class FormatPairs : public ::testing::Test {
 
   static std::set<std::string> names_in(const std::vector<NotKept>& list) {
     std::set<std::string> names;
-    for (const NotKept& entry : list) names.insert(in_other_words(entry.what));
+    for (const NotKept& entry : list) names.insert(in_other_words(entry.what.english()));
     return names;
   }
 
@@ -145,12 +145,12 @@ TEST_F(FormatPairs, APictureThatIsNotThereOrOfAnotherKindIsNamed) {
     TriangleSoup soup = read_mesh(folder_ / from).soup;
     WrittenScan written = write_scan(folder_ / "out.glb", soup);
     ASSERT_EQ(written.remarks.size(), 1U);
-    EXPECT_NE(written.remarks[0].find("skin.png is not there, and not in the output"), std::string::npos);
+    EXPECT_NE(written.remarks[0].english().find("skin.png is not there, and not in the output"), std::string::npos);
     write_bytes(folder_ / "skin.png", "BM and more bytes of a bitmap");
     soup = read_mesh(folder_ / from).soup;
     written = write_scan(folder_ / "out.glb", soup);
     ASSERT_EQ(written.remarks.size(), 1U);
-    EXPECT_NE(written.remarks[0].find("skin.png is neither PNG nor JPEG"), std::string::npos);
+    EXPECT_NE(written.remarks[0].english().find("skin.png is neither PNG nor JPEG"), std::string::npos);
     std::filesystem::rename(folder_ / "elsewhere.png", folder_ / "skin.png");
   }
 }

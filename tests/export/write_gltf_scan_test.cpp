@@ -175,7 +175,7 @@ TEST_F(WriteGltfScan, APictureBesideTheScanGoesIntoTheOutput) {
   const WrittenScan without = fill("out/without.glb", "in/bowl.gltf");
   EXPECT_EQ(without.painted, 0U);
   ASSERT_FALSE(without.remarks.empty());
-  EXPECT_NE(without.remarks.front().find("my skin.png"), std::string::npos);
+  EXPECT_NE(without.remarks.front().english().find("my skin.png"), std::string::npos);
   EXPECT_TRUE(read_mesh(folder_ / "out/without.glb").soup.attributes->materials->pictures.empty());
 }
 

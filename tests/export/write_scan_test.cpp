@@ -227,7 +227,7 @@ TEST_F(WriteScan, WhatIsMissingIsSaid) {
   const WrittenScan written = fill("in/filled.obj");
   EXPECT_EQ(written.painted, 0U);
   ASSERT_EQ(written.remarks.size(), 1U);
-  EXPECT_NE(written.remarks[0].find("a b.png"), std::string::npos);
+  EXPECT_NE(written.remarks[0].english().find("a b.png"), std::string::npos);
   std::filesystem::remove(folder_ / "in/my skin.mtl");
   ASSERT_EQ(fill("in/filled2.obj").remarks.size(), 1U);
 }

@@ -35,7 +35,7 @@ void expect_valid_bridge(const std::vector<TubeShape>& tubes) {
   const SurfaceModel model = test::tubes_model(tubes);
   const BridgeOutcome outcome = bridge_loops(model, test::inner_boundaries(model, tubes), {}, {});
   ASSERT_TRUE(outcome.bridge) << outcome.message;
-  EXPECT_EQ(outcome.message, "");
+  EXPECT_EQ(outcome.message.english(), "");
   for (const Patch* patch : {&outcome.bridge->membrane, &outcome.bridge->start}) {
     EXPECT_EQ(euler_number(*patch), 2 - static_cast<int>(tubes.size()));
     EXPECT_EQ(count_folds(patch->positions, patch->triangles, patch->patch_triangles), 0);

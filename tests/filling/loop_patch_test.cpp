@@ -59,7 +59,7 @@ TEST(LoopPatch, ClosesAHoleInASphereAtTheDensityOfTheNeighborhood) {
     EXPECT_EQ(outcome.quality.folds, 0);
     EXPECT_EQ(outcome.quality.intersections, 0);
     EXPECT_GT(outcome.quality.min_angle_deg, 15);
-    EXPECT_EQ(outcome.message, "");
+    EXPECT_EQ(outcome.message.english(), "");
     const double edge = mean_edge_length(outcome.patch->points, outcome.patch->triangles,
                                          static_cast<int>(outcome.patch->triangles.size()));
     EXPECT_NEAR(edge, loop.perimeter / loop.edges(), 0.25 * edge);
@@ -145,19 +145,19 @@ TEST(LoopPatch, SaysWhyItLeavesALoop) {
     loop.kind = kind;
     const LoopPatchOutcome outcome = fill_loop(model, loop, {}, {});
     EXPECT_FALSE(outcome.patch);
-    EXPECT_GT(outcome.message.size(), 20u);
+    EXPECT_GT(outcome.message.english().size(), 20u);
   }
   const SurfaceModel lone = make_surface_model({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}});
   const LoopPatchOutcome outcome = fill_loop(lone, find_boundary_loops(lone).at(0), {}, {});
   EXPECT_FALSE(outcome.patch);
-  EXPECT_NE(outcome.message.find("single triangle"), std::string::npos);
+  EXPECT_NE(outcome.message.english().find("single triangle"), std::string::npos);
 }
 
 TEST(LoopPatch, RefusesAPatchOfMillionsOfVertices) {
   const SurfaceModel model = make_surface_model(make_revolution([](double) { return 1.0; }, 0, 0.03, 2000, 8));
   const LoopPatchOutcome outcome = fill_loop(model, find_boundary_loops(model).at(0), {10}, {});
   EXPECT_FALSE(outcome.patch);
-  EXPECT_NE(outcome.message.find("million"), std::string::npos) << outcome.message;
+  EXPECT_NE(outcome.message.english().find("million"), std::string::npos) << outcome.message;
 }
 
 TEST(LoopPatch, CancelledLeavesNothing) {

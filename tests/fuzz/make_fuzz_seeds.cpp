@@ -120,12 +120,13 @@ Patch small_patch() {
 /// A surface that lies in the session itself, a scan, and a patch of each.
 Session small_session() {
   Session session;
-  session.scans.push_back({{}, 7, QStringLiteral("made"), std::make_shared<const TriangleSoup>(small_mesh()), {}, nullptr});
+  session.scans.push_back(
+      {{}, 7, QStringLiteral("made"), std::make_shared<const TriangleSoup>(small_mesh()), {}, nullptr});
   session.scans.push_back({QStringLiteral("/scans/a.ply"), 8, {}, nullptr, {}, nullptr});
   for (int scan = 0; scan < 2; ++scan) {
     auto state = std::make_shared<PatchState>();
     state->patch = small_patch();
-    state->message = "a message";
+    state->message = verbatim("a message");
     state->recipe.runs.resize(1);
     state->seams.resize(1);
     state->seams_before.resize(1);

@@ -135,8 +135,8 @@ void SameBitsTest::where_the_flow_must_give_way() {
   // Together they would cut the plate: each by itself, and the large one takes a candidate that does not.
   QCOMPARE(document.patches().size(), std::size_t(2));
   const PatchState &large = *document.patch_of(0)->state, &small = *document.patch_of(1)->state;
-  QVERIFY2(is_filled(large.status) && large.status != PatchStatus::converged, large.message.c_str());
-  QVERIFY2(small.status == PatchStatus::converged, small.message.c_str());
+  QVERIFY2(is_filled(large.status) && large.status != PatchStatus::converged, large.message.english().c_str());
+  QVERIFY2(small.status == PatchStatus::converged, small.message.english().c_str());
   const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
   window.controller().export_to(by_hand);
   QVERIFY(wait_idle(window));

@@ -161,7 +161,7 @@ TEST_F(ReadGltf, MaterialsAndPicturesAreKept) {
   EXPECT_EQ(Json::parse(table.materials[0].source)["doubleSided"], true);
   EXPECT_FALSE(Json::parse(table.materials[0].source).contains("occlusionTexture"));
   EXPECT_EQ(table.materials[1].name, "material_1");
-  EXPECT_NE(table.pictures[0].problem.find("outside the folder"), std::string::npos);
+  EXPECT_NE(table.pictures[0].problem.english().find("outside the folder"), std::string::npos);
   EXPECT_EQ(table.pictures[1].bytes, "\x89PNG");
   EXPECT_EQ(to_string(mesh.report.not_kept), "pictures of materials at further texture coordinates (1)");
 }

@@ -26,7 +26,7 @@ void expect_good(const BlendResult& result) {
   EXPECT_EQ(result.outcome.validity.intersections, 0);
   double worst = 0;
   for (const SeamReport& seam : result.outcome.seams) worst = std::max(worst, seam.g1_rms_deg);
-  EXPECT_EQ(result.outcome.message.find("crease") != std::string::npos, worst > 5)
+  EXPECT_EQ(result.outcome.message.english().find("crease") != std::string::npos, worst > 5)
       << worst << " " << result.outcome.message;
 }
 
@@ -157,7 +157,7 @@ TEST(BlendLoops, ACreaseThatIsLeftBetweenATubesOwnEndsIsToldOf) {
   double worst = 0;
   for (const SeamReport& seam : result.outcome.seams) worst = std::max(worst, seam.g1_rms_deg);
   EXPECT_GT(worst, 5);  // measured: 30
-  EXPECT_NE(result.outcome.message.find("crease"), std::string::npos) << result.outcome.message;
+  EXPECT_NE(result.outcome.message.english().find("crease"), std::string::npos) << result.outcome.message;
 }
 
 TEST(BlendLoops, OnCancelTheModelIsAsItWas) {

@@ -232,7 +232,7 @@ TEST(RoughBoundary, APatchThatCutsGivesWayToACandidateThatDoesNot) {
   ASSERT_GE(evolved.attempts.size(), 2u);
   EXPECT_EQ(evolved.attempts.front(), "split flow");
   EXPECT_EQ(evolved.made_by, evolved.attempts.back());
-  EXPECT_NE(evolved.reason.find("split flow: crosses the surface"), std::string::npos) << evolved.reason;
+  EXPECT_NE(evolved.reason.english().find("split flow: crosses the surface"), std::string::npos) << evolved.reason;
 }
 
 }  // namespace

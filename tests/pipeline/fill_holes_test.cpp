@@ -67,7 +67,7 @@ TEST(FillLoops, WhatNeedsTooMuchMemoryIsLeftWithItsReasonAndTheRestIsFilled) {
   const std::vector<HoleResult> results = fill_holes(model, loops, options, nullptr, {});
   ASSERT_EQ(results.size(), 2u);
   EXPECT_EQ(results[0].status, PatchStatus::failed);
-  EXPECT_NE(results[0].message.find("5 MB are allowed"), std::string::npos) << results[0].message;
+  EXPECT_NE(results[0].message.english().find("5 MB are allowed"), std::string::npos) << results[0].message;
   EXPECT_TRUE(is_filled(results[1].status)) << results[1].message;
 }
 
@@ -157,7 +157,7 @@ TEST(FillLoops, NoFlowLeavesTheFiller) {
   const std::vector<HoleResult> results = fill_holes(model, holes_of(model), options, nullptr, {});
   EXPECT_EQ(results[0].status, PatchStatus::filled);
   EXPECT_EQ(results[0].steps(), 0);
-  EXPECT_EQ(results[0].message, "");
+  EXPECT_EQ(results[0].message.english(), "");
   EXPECT_TRUE(find_boundary_loops(model).empty());
 }
 
@@ -246,7 +246,7 @@ TEST(FillLoops, ALoopThatCannotBeFilledSaysSoAndTheOthersAreFilled) {
   const std::vector<HoleResult> results = fill_holes(model, holes, {}, nullptr, {});
   ASSERT_EQ(results.size(), 4u);
   EXPECT_EQ(results[1].status, PatchStatus::failed);
-  EXPECT_NE(results[1].message, "");
+  EXPECT_NE(results[1].message.english(), "");
   for (int k : {0, 2, 3}) EXPECT_EQ(results[k].status, PatchStatus::converged);
   EXPECT_EQ(find_boundary_loops(model).size(), 1u);
 }
@@ -320,7 +320,8 @@ TEST(FillLoops, TheSampleIsFilledCloseToTheTruth) {
   const std::size_t first_new = model.soup.points.size();
   const std::vector<HoleResult> results = fill_holes(model, holes_of(model), {}, nullptr, {});
   EXPECT_EQ(results.size(), 5u);
-  for (const HoleResult& r : results) EXPECT_EQ(r.verdict().grade, Grade::good) << r.loop.number << r.verdict().sentence();
+  for (const HoleResult& r : results)
+    EXPECT_EQ(r.verdict().grade, Grade::good) << r.loop.number << r.verdict().message();
   // The chin, a third of the new vertices, lost its whole bump: no method can know it. The other four holes must be met
   // to a tenth of the edge length of 1.2 mm.
   std::vector<double> errors;

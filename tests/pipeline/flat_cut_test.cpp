@@ -66,7 +66,7 @@ TEST(FlatCut, IsClosedByAPlane) {
   const std::size_t before = tube.soup.points.size();
   for (const HoleResult& result : fill_all_holes(tube)) {
     EXPECT_EQ(result.outcome().made_by, "minimal surface over a cut") << result.message;
-    EXPECT_NE(result.reason().find("boundary exact"), std::string::npos);
+    EXPECT_NE(result.reason().english().find("boundary exact"), std::string::npos);
   }
   ASSERT_GT(tube.soup.points.size(), before + 100);
   for (std::size_t v = before; v < tube.soup.points.size(); ++v) {
@@ -95,7 +95,7 @@ TEST(FlatCut, ClosesBothEndsOfAnyStraightTube) {
         for (const HoleResult& result : fill_all_holes(tube)) {
           ++ends;
           EXPECT_NE(result.verdict().grade, Grade::bad)
-              << sides << " sides, noise " << noise << ": " << result.verdict().sentence();
+              << sides << " sides, noise " << noise << ": " << result.verdict().message();
         }
         for (std::size_t v = before; v < tube.soup.points.size(); ++v) {
           const double z = (turn.transpose() * tube.soup.points[v]).z();

@@ -38,10 +38,10 @@ struct OpenSphere {
 TEST(Judge, CallsTheSphereGoodAndThePlaneACrease) {
   const OpenSphere open;
   const Verdict sphere = open.of([](const Vec3& p) { return p.normalized(); });
-  EXPECT_EQ(sphere.grade, Grade::good) << sphere.sentence();
+  EXPECT_EQ(sphere.grade, Grade::good) << sphere.message();
   EXPECT_LT(sphere.crease_deg, 10);
   EXPECT_NEAR(sphere.height, 0.5 / std::sqrt(3.0), 0.02);  // of the cap over its circle of diameter √3
-  EXPECT_EQ(sphere.sentence(), "");
+  EXPECT_EQ(sphere.message().english(), "");
   const Verdict plane = open.of([](const Vec3& p) { return Vec3(p.x(), p.y(), 0.5); });
   EXPECT_EQ(plane.grade, Grade::look);
   ASSERT_EQ(plane.findings.size(), 1u);
@@ -83,7 +83,7 @@ TEST(Judge, ADomeOverAFlatLoopIsBad) {
   EXPECT_EQ(verdict.grade, Grade::bad);
   EXPECT_EQ(verdict.findings.at(0).code, NoticeCode::dome_over_flat_loop);
   const Verdict initial = flat(open.initial, validate(open.scan, open.initial), seam_reports(open.initial)).at(0);
-  EXPECT_EQ(initial.grade, Grade::good) << initial.sentence();  // its crease is what was cut
+  EXPECT_EQ(initial.grade, Grade::good) << initial.message();  // its crease is what was cut
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(MirrorImage, BringsBackABump) {
   EXPECT_EQ(hole.outcome().made_by, "mirror image");
   EXPECT_EQ(hole.method(), "mirror_image");
   EXPECT_TRUE(hole.mirror.is_proposed());
-  EXPECT_EQ(hole.verdict().grade, Grade::good) << hole.verdict().sentence();
+  EXPECT_EQ(hole.verdict().grade, Grade::good) << hole.verdict().message();
   // The image's facets leave the surface by their sagitta, some 0.002 diameters; the bump's top is 0.35 diameters above its foot.
   EXPECT_LT(mirror.farthest(shape), 0.004);
   EXPECT_GT(flow.farthest(shape), 5 * mirror.farthest(shape));
@@ -84,7 +84,7 @@ TEST(MirrorImage, IsRefusedWhereTheOtherSideIsAnother) {
   EXPECT_EQ(hole.mirror.answer, MirrorFit::Answer::misfit);
   EXPECT_GT(hole.mirror.misfit, 0.01);
   EXPECT_NE(hole.outcome().made_by, "mirror image");
-  EXPECT_NE(hole.reason().find("not copied from the mirror image"), std::string::npos) << hole.reason();
+  EXPECT_NE(hole.reason().english().find("not copied from the mirror image"), std::string::npos) << hole.reason();
   EXPECT_EQ(hole.outcome().attempts.front(), "mirror image");
   ASSERT_EQ(mirror.after.points.size(), flow.after.points.size());  // and the ordinary patch is the same
   EXPECT_EQ(std::memcmp(mirror.after.points.data(), flow.after.points.data(), flow.after.points.size() * sizeof(Vec3)),

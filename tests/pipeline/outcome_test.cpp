@@ -99,11 +99,11 @@ TEST(Outcome, ARobustFairingIsNotCalledConverged) {
     } else if (boundary == BoundaryTrust::robust) {
       EXPECT_EQ(results[0].status, PatchStatus::faired);
       EXPECT_EQ(results[0].method(), "robust_fairing");
-      EXPECT_EQ(results[0].reason(), "");
+      EXPECT_EQ(results[0].reason().english(), "");
     } else {
       EXPECT_TRUE(is_at_end(results[0].status)) << to_string(results[0].status);
       EXPECT_EQ(results[0].method(), "mmcvf_split");
-      EXPECT_NE(results[0].reason().find("has relief"), std::string::npos) << results[0].reason();
+      EXPECT_NE(results[0].reason().english().find("has relief"), std::string::npos) << results[0].reason();
     }
   }
 }
@@ -306,7 +306,7 @@ TEST(Outcome, NoPatchIsKeptWhoseCurvatureTearsAtTheSeam) {
   ASSERT_EQ(results.size(), 3U);
   for (const HoleResult& r : results) {
     EXPECT_TRUE(is_at_end(r.status)) << to_string(r.status) << r.message;
-    EXPECT_NE(r.verdict().grade, Grade::bad) << r.verdict().sentence();
+    EXPECT_NE(r.verdict().grade, Grade::bad) << r.verdict().message();
     EXPECT_LT(r.seam_after().h_jump_rms, 2 * r.seam_before().h_jump_rms) << r.loop.number;
   }
 }

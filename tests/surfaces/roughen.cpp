@@ -23,7 +23,8 @@ TriMesh to_tri_mesh(const TriangleSoup& soup) {
   for (const auto& [a, b, c] : soup.triangles) {
     const TriMesh::FaceHandle face =
         mesh.add_face(TriMesh::VertexHandle(a), TriMesh::VertexHandle(b), TriMesh::VertexHandle(c));
-    if (!face.is_valid()) throw InvalidArgument("Only a manifold, consistently oriented mesh can be roughened.");
+    if (!face.is_valid())
+      throw InvalidArgument(verbatim("Only a manifold, consistently oriented mesh can be roughened."));
   }
   return mesh;
 }
@@ -100,8 +101,8 @@ void flip_edges(TriangleSoup& soup, double share, Random& random) {
 
 TriangleSoup roughen(const TriangleSoup& soup, double jitter, double flip_share, unsigned seed,
                      const std::function<Vec3(const Vec3&)>& project) {
-  if (!(jitter >= 0 && jitter <= 0.4)) throw InvalidArgument("roughen: jitter must be 0 to 0.4.");
-  if (!(flip_share >= 0 && flip_share <= 1)) throw InvalidArgument("roughen: flip_share must be 0 to 1.");
+  if (!(jitter >= 0 && jitter <= 0.4)) throw InvalidArgument(verbatim("roughen: jitter must be 0 to 0.4."));
+  if (!(flip_share >= 0 && flip_share <= 1)) throw InvalidArgument(verbatim("roughen: flip_share must be 0 to 1."));
   if (soup.triangles.empty()) return soup;
   TriangleSoup rough = soup;
   Random random(seed);

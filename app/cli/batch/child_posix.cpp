@@ -109,8 +109,7 @@ Child::Child(const std::vector<std::string>& arguments) : process_(std::make_uni
   if (process_->id == 0) become(program.c_str(), words.data(), parent, process_->said, before);
   sigprocmask(SIG_SETMASK, &before, nullptr);
   if (process_->id > 0) return;
-  throw Error(std::string("the system starts no further process: ") + std::strerror(error) +
-              ". A smaller --jobs needs fewer.");
+  throw Error(say("the system starts no further process: %1. A smaller --jobs needs fewer.", std::strerror(error)));
 }
 
 Child::~Child() {

@@ -90,8 +90,8 @@ Child::Child(const std::vector<std::string>& arguments) : process_(std::make_uni
   PROCESS_INFORMATION made{};
   if (::CreateProcessW(program.data(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW | CREATE_SUSPENDED,
                        nullptr, nullptr, &start, &made) == 0)
-    throw Error("the system starts no further process: " +
-                std::system_category().message(static_cast<int>(::GetLastError())) + ". A smaller --jobs needs fewer.");
+    throw Error(say("the system starts no further process: %1. A smaller --jobs needs fewer.",
+                    std::system_category().message(static_cast<int>(::GetLastError()))));
   process_->process.handle = made.hProcess;
   ::AssignProcessToJobObject(job(), made.hProcess);
   ::ResumeThread(made.hThread);

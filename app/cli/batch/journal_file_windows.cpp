@@ -26,7 +26,7 @@ JournalFile::JournalFile(const std::filesystem::path& path)
   if (handle_of(file_) != INVALID_HANDLE_VALUE) return;
   if (::GetLastError() == ERROR_SHARING_VIOLATION)
     throw UsageError("another batch is at work in " + path_text(path.parent_path()) + ": wait for its end, or stop it");
-  throw WriteError(path, last_reason(), "Choose another folder for -o.");
+  throw WriteError(path, verbatim(last_reason()), say("Choose another folder for -o."));
 }
 
 JournalFile::~JournalFile() { ::CloseHandle(handle_of(file_)); }
@@ -35,7 +35,7 @@ void JournalFile::cut(std::uintmax_t size) {
   LARGE_INTEGER end;
   end.QuadPart = static_cast<LONGLONG>(size);
   if (::SetFilePointerEx(handle_of(file_), end, nullptr, FILE_BEGIN) == 0 || ::SetEndOfFile(handle_of(file_)) == 0)
-    throw WriteError(path_, last_reason(), "");
+    throw WriteError(path_, verbatim(last_reason()), {});
 }
 
 void JournalFile::append(const std::string& bytes) {
@@ -43,7 +43,7 @@ void JournalFile::append(const std::string& bytes) {
   if (::SetFilePointerEx(handle_of(file_), LARGE_INTEGER{}, nullptr, FILE_END) == 0 ||
       ::WriteFile(handle_of(file_), bytes.data(), static_cast<DWORD>(bytes.size()), &written, nullptr) == 0 ||
       written != bytes.size() || ::FlushFileBuffers(handle_of(file_)) == 0)
-    throw WriteError(path_, last_reason(), "Is the disk full?");
+    throw WriteError(path_, verbatim(last_reason()), say("Is the disk full?"));
 }
 
 }  // namespace loopmend

@@ -59,7 +59,7 @@ namespace {
 fs::path made(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw WriteError(folder, error.message(), "Choose another folder for -o.");
+  if (error) throw WriteError(folder, verbatim(error.message()), say("Choose another folder for -o."));
   return folder;
 }
 

@@ -136,7 +136,7 @@ class ScanRuns {
     for (const fs::path& folder : {to.mesh.parent_path(), to.report.parent_path()}) {
       std::error_code error;
       fs::create_directories(folder, error);
-      if (error) throw WriteError(folder, error.message(), "Choose another folder for -o.");
+      if (error) throw WriteError(folder, verbatim(error.message()), say("Choose another folder for -o."));
     }
     std::vector<std::string> words{"fill",     as_argument(scan.input), "-o",     as_argument(to.mesh),
                                    "--report", as_argument(to.report),  "--quiet"};

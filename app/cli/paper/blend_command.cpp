@@ -56,7 +56,7 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
   std::fprintf(out, "%zu loops joined by %d new vertices: %s (%s) after %d steps%s%s; %s written in %.2f s\n",
                loops.size(), result.outcome.patch.free_count, to_string(result.outcome.status),
                method_name(result.outcome).c_str(), result.outcome.steps, result.outcome.message.empty() ? "" : ", ",
-               result.outcome.message.c_str(), path_text(command.output).c_str(), seconds);
+               result.outcome.message.english().c_str(), path_text(command.output).c_str(), seconds);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ int run_blend(const BlendCommand& command) {
   const BlendResult result = blend_loops(model, bare, options_of(command.words), CancelToken());
   if (result.outcome.status == PatchStatus::failed) {
     std::fprintf(stderr, "loopmend: the loops were not joined: %s. Nothing was written.\n",
-                 result.outcome.message.c_str());
+                 result.outcome.message.english().c_str());
     return exit_loops_failed;
   }
   continue_attributes(model.soup);

@@ -40,7 +40,7 @@ void print_summary(std::FILE* out, const EvolveCommand& command, const Region& r
   std::fprintf(out, "%d vertices: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
                evolved.patch.free_count, to_string(evolved.status), method_name(evolved).c_str(), evolved.steps,
                evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
-               evolved.message.c_str(), path_text(command.output).c_str(), seconds);
+               evolved.message.english().c_str(), path_text(command.output).c_str(), seconds);
   print_reason(out, evolved.reason);
 }
 
@@ -64,8 +64,8 @@ int run_evolve(const EvolveCommand& command) {
   ProgressLine(command.words.verbosity())
       .say("evolving a region of " + std::to_string(region.patch.free_count) + " vertices");
   const PatchResult evolved = evolve_region(region, *options_of(command.words).evolution, nullptr, CancelToken());
-  if (const std::string refusal = refusal_of(region, evolved); !refusal.empty()) {
-    std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.c_str());
+  if (const Message refusal = refusal_of(region, evolved); !refusal.empty()) {
+    std::fprintf(stderr, "loopmend: %s: nothing was written.\n", refusal.english().c_str());
     return exit_loops_failed;
   }
   TriangleSoup surface = with_region(opened.model, region, evolved.patch);

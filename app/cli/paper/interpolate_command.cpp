@@ -33,8 +33,8 @@ int run_interpolate(const InterpolateCommand& command) {
   const Interpolation result =
       interpolate_points(opened.model, subdivision, options_of(command.words).evolution, CancelToken());
   const PatchResult& evolved = result.outcome;
-  if (const std::string refusal = refusal_of(evolved); !refusal.empty()) {
-    std::fprintf(stderr, "loopmend: %s. Nothing was written.\n", refusal.c_str());
+  if (const Message refusal = refusal_of(evolved); !refusal.empty()) {
+    std::fprintf(stderr, "loopmend: %s. Nothing was written.\n", refusal.english().c_str());
     return exit_loops_failed;
   }
   OutputTransaction outputs;
@@ -56,7 +56,7 @@ int run_interpolate(const InterpolateCommand& command) {
                  "%d vertices fixed, %d found: %s (%s) after %d steps, energy %.4g -> %.4g%s%s; %s written in %.2f s\n",
                  result.fixed_count, evolved.patch.free_count, to_string(evolved.status), method_name(evolved).c_str(),
                  evolved.steps, evolved.energy.initial, evolved.energy.final, evolved.message.empty() ? "" : ", ",
-                 evolved.message.c_str(), path_text(command.output).c_str(), seconds);
+                 evolved.message.english().c_str(), path_text(command.output).c_str(), seconds);
     print_reason(out, evolved.reason);
     print_losses(out, command.output, losses);
   }

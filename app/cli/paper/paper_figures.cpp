@@ -61,7 +61,7 @@ void describe(const PatchResult& evolved, FigureRun& run) {
   run.ours = row_of(evolved);
   run.sigma = evolved.history.empty() ? 0 : largest_step(evolved).sigma;
   run.numbers.emplace_back("end", std::string(to_string(evolved.status)) + " after " + std::to_string(evolved.steps) +
-                                      " steps" + (evolved.message.empty() ? "" : ": " + evolved.message));
+                                      " steps" + (evolved.message.empty() ? "" : ": " + evolved.message.english()));
   run.numbers.emplace_back("free vertices", std::to_string(evolved.patch.free_count));
   run.numbers.emplace_back("energy &int;|&nabla;H|&sup2;", number_text("%.4g", evolved.energy.initial) + " &rarr; " +
                                                                number_text("%.4g", evolved.energy.final));
@@ -152,7 +152,7 @@ TubeProblem bridge_tubes(const std::vector<TubeShape>& tubes) {
       return (a.center - tube.start).norm() < (b.center - tube.start).norm();
     }));
   problem.outcome = bridge_loops(problem.model, boundaries, {}, {});
-  if (!problem.outcome.bridge) throw std::logic_error(problem.outcome.message);
+  if (!problem.outcome.bridge) throw std::logic_error(problem.outcome.message.english());
   return problem;
 }
 
@@ -415,7 +415,7 @@ FigureRun run_paper_figure(const std::string& id) {
     if (const PaperExample* example = paper_example(id)) run.title = example->title;
     return run;
   }
-  throw InvalidArgument("there is no figure '" + id + "'");
+  throw InvalidArgument(say("there is no figure '%1'", id));
 }
 
 }  // namespace loopmend

@@ -62,7 +62,7 @@ std::vector<double> values_of(const SurfaceModel& model, const std::string& name
 
 std::vector<int> read_vertex_numbers(const std::filesystem::path& path) {
   std::ifstream file(path);
-  if (!file) throw ReadError(path, "cannot be opened", "", "Check the name.");
+  if (!file) throw ReadError(path, say("cannot be opened"), {}, say("Check the name."));
   std::vector<int> numbers;
   std::string line;
   for (int row = 1; std::getline(file, line); ++row) {
@@ -74,12 +74,13 @@ std::vector<int> read_vertex_numbers(const std::filesystem::path& path) {
       int value = 0;
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
       if (error != std::errc() || end != word.data() + word.size() || value < 0)
-        throw ReadError(path, "'" + word.substr(0, 40) + "' is no vertex number", "line " + std::to_string(row),
-                        "Vertex numbers are whole and count from 0.");
+        throw ReadError(path, say("'%1' is no vertex number", word.substr(0, 40)), say("line %1", row),
+                        say("Vertex numbers are whole and count from 0."));
       numbers.push_back(value);
     }
   }
-  if (numbers.empty()) throw ReadError(path, "holds no vertex number", "", "Write one or more, parted by blanks.");
+  if (numbers.empty())
+    throw ReadError(path, say("holds no vertex number"), {}, say("Write one or more, parted by blanks."));
   return numbers;
 }
 

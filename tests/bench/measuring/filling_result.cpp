@@ -68,7 +68,7 @@ void take_results(const std::vector<HoleResult>& results, Filling& filling) {
     worst = result.status;
     filling.status = to_string(result.status);
     filling.attempt = last_attempt(result);
-    filling.message = result.message;
+    filling.message = result.message.english();
   }
 }
 
