@@ -354,7 +354,7 @@ RgbPicture FilmStage::draw(const FilmState& state) {
 
 std::size_t render_film(std::ostream& out, const SurfaceModel& model, const std::vector<FilmState>& states,
                         const RenderOptions& options) {
-  if (states.empty()) throw InvalidArgument("a film needs at least one state.");
+  if (states.empty()) throw InvalidArgument(say("a film needs at least one state."));
   FilmStage stage(model, options);
   const std::vector<std::size_t> shown = states_of_film(states.size());
   const std::vector<int> durations = film_durations(shown.size());

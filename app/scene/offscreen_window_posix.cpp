@@ -49,7 +49,7 @@ class EglContext {
   bool is_current() const { return eglGetCurrentContext() == context_; }
 
  private:
-  [[noreturn]] static void fail(const std::string& why) {
+  [[noreturn]] static void fail(const Message& why) {
     throw Error(
         say("cannot draw without a display: %1. Install the package libegl-mesa0 (software rendering) or a graphics "
             "driver with EGL.",

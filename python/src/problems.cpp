@@ -27,7 +27,7 @@ using namespace py::literals;
 struct Solved {
   TriangleSoup surface;
   PatchResult outcome;
-  std::string refusal;             ///< why the surface should not be used; empty: it may
+  Message refusal;                 ///< why the surface should not be used; empty: it may
   std::size_t given_vertices = 0;  ///< the first of the surface are given, bit for bit
   std::size_t turned_faces = 0;    ///< of those given
   bool remeshed = false;           ///< the region has other vertices than it had
@@ -73,8 +73,8 @@ py::dict blend(const std::vector<std::pair<py::array, py::array>>& parts, const 
         for (const NamedLoop& loop : choose_part_loops(joined, loops)) chosen.push_back(loop.loop);
         SurfaceModel model = joined.model;
         BlendResult result = blend_loops(model, chosen, group, cancel, tell);
-        Solved done{std::move(model.soup), std::move(result.outcome), "", joined.model.soup.points.size(),
-                    result.turned_faces};
+        Solved done{
+            std::move(model.soup), std::move(result.outcome), {}, joined.model.soup.points.size(), result.turned_faces};
         if (done.outcome.status == PatchStatus::failed)
           done.refusal = say("the loops were not joined: %1", done.outcome.message);
         return done;
@@ -110,7 +110,7 @@ py::dict evolve(const py::array& vertices, const py::array& faces, const std::ve
       [&](const Evolution::OnStep& tell, const CancelToken& cancel) {
         const SurfaceModel model = make_surface_model(std::move(soup));
         const Region posed = make_region(model, region);
-        Solved done{model.soup, evolve_region(posed, *group.evolution, tell, cancel), ""};
+        Solved done{model.soup, evolve_region(posed, *group.evolution, tell, cancel), {}};
         if (cancel.cancelled()) return done;
         done.refusal = refusal_of(posed, done.outcome);
         done.remeshed = done.outcome.patch.free_count != posed.patch.free_count;

@@ -111,7 +111,7 @@ void withhold_memory(MemoryPlan::After after, int threads) {
         outcome = !run.thrown.empty()                           ? run.thrown
                   : same_bits(run.model.soup, whole.model.soup) ? "the same surface"
                   : is_filled(run.results.front().status)       ? "another hole is open"
-                                                                : run.results.front().message;
+                                                                : run.results.front().message.english();
       }
       if (threads == 1) {
         // Eigen 3.4: where the copy of a sparse matrix is refused its second array, the first is lost.

@@ -316,9 +316,9 @@ void MendingTest::a_dome_over_a_flat_loop_is_red() {
   boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::exact)));
   press(window, "fillAndSmooth");
   QVERIFY(wait_idle(window, 2 * minutes));
-  QVERIFY2(
-      window.document().state(0) == HoleState::bad,
-      qPrintable(labels::state(window.document().state(0)) + QString::fromStdString(window.document().message(0))));
+  QVERIFY2(window.document().state(0) == HoleState::bad,
+           qPrintable(labels::state(window.document().state(0)) +
+                      QString::fromStdString(window.document().message(0).english())));
   const QString said = QStringLiteral("diameters high over a flat loop");
   const auto sentence = [&] { return part<QLabel>(window, "seamSentence")->text(); };
   QVERIFY2(wait_until([&] { return sentence().contains(said); }), qPrintable(sentence()));

@@ -101,7 +101,7 @@ TEST(TextCursor, LeavesCommentsOut) {
   EXPECT_EQ(cursor.next_token_across_lines(), "1");
   EXPECT_EQ(cursor.next_token_across_lines(), "2");
   EXPECT_EQ(cursor.next_token_across_lines(), "4");
-  EXPECT_EQ(cursor.place(), "line 3");
+  EXPECT_EQ(cursor.place().english(), "line 3");
 }
 
 TEST(InQuotes, ShortensAndHidesUnprintableBytes) {

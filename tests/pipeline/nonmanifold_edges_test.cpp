@@ -166,8 +166,8 @@ TEST(NonmanifoldEdges, ThePatchThatWouldMakeOneIsNotPastedAndOthersAre) {
   const auto side = [&](int k) { return (at_b + k) % 4; };
   const Patch good = patch_over(model, above, {{side(1), side(2), side(3)}, {side(1), side(3), side(0)}});
   const std::vector<PastedPatch> outcomes = paste_patches(model, {&bad, &good});
-  EXPECT_EQ(outcomes[0].fault, "1 edge of its patch would have more than two faces: left open");
-  EXPECT_EQ(outcomes[1].fault, "");
+  EXPECT_EQ(outcomes[0].fault.english(), "1 edge of its patch would have more than two faces: left open");
+  EXPECT_TRUE(outcomes[1].fault.empty());
   EXPECT_EQ(crowded_edges(model.soup), 0);
   EXPECT_EQ(model.soup.triangles.size(), 6u);
 }

@@ -32,8 +32,8 @@ TEST(PastePatches, TheOrderInWhichTheyComeDoesNotMatter) {
   const auto in_order = paste_patches(one, {&patches[0], &patches[1]});
   const auto reversed = paste_patches(other, {&patches[1], &patches[0]});
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_EQ(in_order[k].fault, "");
-    EXPECT_EQ(reversed[k].fault, "");
+    EXPECT_TRUE(in_order[k].fault.empty());
+    EXPECT_TRUE(reversed[k].fault.empty());
     EXPECT_EQ(in_order[k].first_point, reversed[1 - k].first_point);
     EXPECT_EQ(in_order[k].first_triangle, reversed[1 - k].first_triangle);
   }
@@ -54,8 +54,8 @@ TEST(PastePatches, OneThatIntersectsAnEarlierOneIsLeftOut) {
   second.positions[0] = far;
   SurfaceModel model = open;
   const std::vector<PastedPatch> outcomes = paste_patches(model, {&second, &patches[0]});
-  EXPECT_EQ(outcomes[1].fault, "");
-  EXPECT_NE(outcomes[0].fault.find("would cut that of loop 1"), std::string::npos) << outcomes[0].fault;
+  EXPECT_TRUE(outcomes[1].fault.empty());
+  EXPECT_NE(outcomes[0].fault.english().find("would cut that of loop 1"), std::string::npos) << outcomes[0].fault;
   EXPECT_EQ(outcomes[0].first_point, -1);
   EXPECT_EQ(find_boundary_loops(model).size(), 1u);
 }
