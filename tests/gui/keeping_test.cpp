@@ -63,7 +63,6 @@ class KeepingTest : public QObject {
   void closing_a_scan_asks_before_its_patches_go();
   void export_offers_to_smooth_initial_patches();
   void a_session_is_looked_at_as_before();
-  void a_session_of_the_first_version_opens();
   void the_layout_is_kept_and_fits_a_small_screen();
   void a_window_that_was_elsewhere_comes_back_data();
   void a_window_that_was_elsewhere_comes_back();
@@ -266,31 +265,6 @@ void KeepingTest::a_session_is_looked_at_as_before() {
   QVERIFY(part<QAction>(window, "zebra")->isChecked());
   QVERIFY2(wait_until([&] { return share_changed(picture, window.view().picture()) < 0.01; }),
            "the picture is another one");
-}
-
-void KeepingTest::a_session_of_the_first_version_opens() {
-  // Without a view and without patches, the ninth version ends so: four bytes that say that the scan has a file of its own,
-  // eight that count the patches, four that say that there is no view, four of a unit without letters. The first had the eight
-  // alone.
-  Session session;
-  session.scans.push_back({sample_file(folder_), 0, {}, nullptr, {}, nullptr});
-  {
-    Shown shown({sample_file(folder_)});
-    session = session_of(shown.window.document(), {});
-  }
-  QByteArray bytes = to_bytes(session, folder_.path());
-  constexpr int version_at = 17;  // behind "Loopmend session\n"
-  QCOMPARE(bytes[version_at], '\11');
-  bytes[version_at] = '\1';
-  bytes.chop(8);
-  bytes.remove(bytes.size() - 12, 4);
-  QFile file(folder_.filePath(QStringLiteral("old.loopmend")));
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(bytes);
-  file.close();
-  Shown shown({file.fileName()});
-  QVERIFY(shown.ready);
-  QVERIFY(count_colors(shown.window.view().picture()) >= 64);
 }
 
 void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {

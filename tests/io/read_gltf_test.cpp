@@ -239,7 +239,7 @@ TEST_F(ReadGltf, SparseListsOutsideTheirAccessor) {
   refused("", "values", Json::object(), {"\"bufferView\" is missing"});
   refused("indices", "componentType", 5126, {"no unsigned numbers"});
   refused("indices", "bufferView", 9, {"element 9 of \"bufferViews\""});
-  refused("values", "byteOffset", 4, {"announces 1", "at byte 4 of 12"});
+  refused("values", "byteOffset", 4, {"announces 1", "sparse, byte 4 of 12"});
   GltfFile file = gltf_square();
   const std::size_t which = file.add(GltfFile::packed<std::uint8_t>({4}), 5121, 1, "SCALAR");
   file.json["accessors"][0]["sparse"] = {
