@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is installed beside the programs, and the Debian packages made of it: `cpack` in the build folder, or
 # `packaging/bootstrap release`, which also checks them. One package for each install component.
+if(WIN32)
+  include(${CMAKE_CURRENT_LIST_DIR}/windows/packages.cmake)
+  return()
+endif()
 
 # The date of the version: of the last commit, of the source archive's files without git, or SOURCE_DATE_EPOCH.
 if(DEFINED ENV{SOURCE_DATE_EPOCH})
