@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the picture of README.md and of the first page: the embedded sample before and after; those of
+# Makes the pictures of README.md and of the first page: the embedded sample before and after, and the film of a flow; those of
 # docs/math/irregular_boundaries.md; those of docs/user/which_option.md; and those of docs/user/walkthrough.md, where PYTHON (default /usr/bin/python3) has pytest,
 # PyVista and Matplotlib. The pictures of the window are made by docs/user/window/make_pictures.sh.
 # Usage: docs/make_pictures.sh BUILD
@@ -16,6 +16,7 @@ trap 'rm -rf "$folder"' EXIT
 "$program" sample -o "$folder/scan.ply"
 "$program" fill "$folder/scan.ply" -o "$folder/filled.ply" --quiet
 "$program" render "$folder/scan.ply" "$folder/filled.ply" --view front --size 1200x620 -o "$assets/before_after.png"
+"$program" render "$folder/scan.ply" --film "$assets/flow.gif" --loop 2 --mode steps --sigma 0.3 --size 480x360
 "$python" "$docs/user/pictures/make_cases.py" "$program" "$docs/user/pictures"
 if "$python" -c 'import numpy' 2>/dev/null; then
   "$python" "$docs/math/three_holes.py" "$program" "$docs/math/pictures"
