@@ -359,8 +359,7 @@ Message reason_not_to_fill(const BoundaryLoop& loop) {
           .with_code("crack");
     case LoopKind::cut:
       return say("no hole: it runs where the surface had to be cut, along an edge with more than two faces or because "
-                 "the surface is "
-                 "one-sided")
+                 "the surface is one-sided")
           .with_code("cut");
   }
   return {};

@@ -177,12 +177,12 @@ class PlyBody {
     } else if (floats && Rows::is_text) {
       const FloatRounding rounding = round_to_floats(soup_.points);
       floats = rounding.in_range;
-      count_not_kept(
-          soup_.oddities,
-          floats ? say("vertices of more digits than the single precision that the file declares, rounded to it "
-                       "(--double keeps them)")
-                 : say("vertices of more digits than the single precision that the file declares, kept"),
-          rounding.longer);
+      Message what = say("vertices of more digits than the single precision that the file declares, kept");
+      if (floats)
+        what =
+            say("vertices of more digits than the single precision that the file declares, rounded to it "
+                "(--double keeps them)");
+      count_not_kept(soup_.oddities, what, rounding.longer);
     }
     if (floats) soup_.attributes.coordinates = PlyType::float32;
   }
