@@ -39,32 +39,38 @@ class FilmRecording {
  public:
   FilmRecording(Vec3 origin, std::string flow) : origin_(std::move(origin)), flow_(std::move(flow)) {}
 
-  void begin(const Patch& initial) { states_ = {made(initial, "initial patch")}; }
+  void begin(const Patch& initial) { states_ = {made(initial, "Initial patch")}; }
   void step(const Evolution& evolution, const StepRecord& record) {
     if (record.step == 1) states_.resize(1);
-    states_.push_back(made(evolution.patch(), "step " + std::to_string(record.step)));
-    steps_ = record.step;
+    last_step_ =
+        caption(method_name(evolution.method(), evolution.options().flow)) + ", step " + std::to_string(record.step);
+    states_.push_back(made(evolution.patch(), last_step_));
     thin_out();
   }
   /// @param result  what the steps have led to, or what took their place
   void end(const PatchResult& result) {
     if (result.status == PatchStatus::filled) states_.resize(1);  // the steps were thrown away
-    std::string method = method_name(result);
-    std::replace(method.begin(), method.end(), '_', ' ');
-    const bool by_flow = method.rfind(flow_, 0) == 0;       // also its split and mixed forms
-    if (by_flow && states_.size() > 1) states_.pop_back();  // the last step comes as the result
-    states_.push_back(made(result.patch, by_flow ? "step " + std::to_string(steps_) + ", the result" : method));
+    const std::string method = caption(method_name(result));
+    const bool by_steps = states_.size() > 1 && last_step_.rfind(method + ", ", 0) == 0;
+    if (by_steps) states_.pop_back();  // the last step comes as the result
+    states_.push_back(made(result.patch, (by_steps ? last_step_ : method) + ", the result"));
   }
   const std::vector<FilmState>& states() const { return states_; }
 
  private:
   static constexpr std::size_t budget = std::size_t{256} << 20U;
 
-  FilmState made(const Patch& patch, const std::string& what) const {
-    std::string flow = flow_;
-    for (char& c : flow) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  /// "MMCVF split", "Linear fairing"
+  std::string caption(std::string method) const {
+    std::replace(method.begin(), method.end(), '_', ' ');
+    const std::size_t capitals = method.rfind(flow_, 0) == 0 ? flow_.size() : 1;
+    for (std::size_t k = 0; k < std::min(capitals, method.size()); ++k)
+      method[k] = static_cast<char>(std::toupper(static_cast<unsigned char>(method[k])));
+    return method;
+  }
+  FilmState made(const Patch& patch, const std::string& state) const {
     return {std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin_)),
-            flow + ", " + what + ": mean curvature"};
+            state + ": mean curvature"};
   }
   void thin_out() {
     std::size_t bytes = 0;
@@ -77,14 +83,17 @@ class FilmRecording {
   }
 
   Vec3 origin_;
-  std::string flow_;
-  int steps_ = 0;
+  std::string flow_, last_step_;
   std::vector<FilmState> states_;
 };
 
+struct FilmedFill {
+  std::vector<FilmState> states;
+  std::string method;
+};
+
 /// @throws Error where the hole cannot be filled.
-std::vector<FilmState> recorded_flow(const SurfaceModel& model, const BoundaryLoop& loop,
-                                     const RenderCommand& command) {
+FilmedFill filmed_fill(const SurfaceModel& model, const BoundaryLoop& loop, const RenderCommand& command) {
   GroupOptions options;
   options.evolution->flow = value_named(flow_names, command.flow).value();
   options.evolution->mode = value_named(mode_names, command.mode).value();
@@ -102,7 +111,7 @@ std::vector<FilmState> recorded_flow(const SurfaceModel& model, const BoundaryLo
                   [&](const Evolution& evolution, const StepRecord& record) { recording.step(evolution, record); }, {});
   if (group.patches.empty()) refuse(group.holes.front().message);
   recording.end(*group.patches.front());
-  return recording.states();
+  return {recording.states(), method_name(*group.patches.front())};
 }
 
 }  // namespace
@@ -120,13 +129,13 @@ int run_film(const RenderCommand& command, RenderOptions options) {
     options.width = 800;
     options.height = 600;
   }
-  const std::vector<FilmState> states = recorded_flow(model, loop, command);
+  const FilmedFill fill = filmed_fill(model, loop, command);
   std::size_t shown = 0;
   OutputTransaction outputs;
-  outputs.add(command.film, [&](std::ostream& out) { shown = render_film(out, model, states, options); });
+  outputs.add(command.film, [&](std::ostream& out) { shown = render_film(out, model, fill.states, options); });
   outputs.commit();
-  std::printf("%s: %d x %d pixels, %zu states of the flow on loop %d\n", path_text(command.film).c_str(), options.width,
-              options.height, shown, loop.number);
+  std::printf("%s: %d x %d pixels, %zu states of the patch on loop %d, made by %s\n", path_text(command.film).c_str(),
+              options.width, options.height, shown, loop.number, fill.method.c_str());
   return exit_done;
 }
 

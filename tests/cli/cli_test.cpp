@@ -7,6 +7,7 @@
 #include "mesh/join_parts.h"
 #include "samples/analytic_surfaces.h"
 #include "support/processor_time.h"
+#include "support/sharp_surfaces.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -393,6 +394,17 @@ TEST_F(Cli, RenderNeedsNoDisplay) {
     EXPECT_EQ(test::text_of(png).substr(1, 3), "PNG");
     std::filesystem::remove(png);
   }
+}
+
+/// No flow runs where sharp edges are continued.
+TEST_F(Cli, AFilmSaysWhatMadeThePatch) {
+  write_mesh(work / "cube.ply",
+             cut(test::make_cube(24), [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.2; }));
+  const std::string folder = "'" + work.folder().string();
+  const Outcome run =
+      loopmend_program("render " + folder + "/cube.ply' --size 100x100 --film " + folder + "/cube.gif'");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::HasSubstr("2 states of the patch on loop 1, made by sharp_edges"));
 }
 
 #ifdef LOOPMEND_PICTURES_MODULE
