@@ -28,16 +28,6 @@ QString shown_by(Shading shading) {
   return {};
 }
 
-QString caption_of(const PatchState& state, int steps, Shading shading) {
-  if (state.steps == 0)
-    return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "Initial patch: %1")).arg(shown_by(shading));
-  return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "%1, step %2 of %3: %4"))
-      .arg(labels::flow_name(state.flow))
-      .arg(state.steps)
-      .arg(steps)
-      .arg(shown_by(shading));
-}
-
 /// In the upper left corner, on a ground of its own: it may lie over the surface.
 void write_caption(QImage& picture, const QString& words) {
   QPainter painter(&picture);
@@ -71,6 +61,18 @@ FilmedPatches filmed(const Document& document, const std::set<int>& patches) {
 
 }  // namespace
 
+QString film_caption(const PatchState& state, int steps, Shading shading) {
+  if (state.steps == 0)
+    return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "Initial patch: %1")).arg(shown_by(shading));
+  const bool by_flow =
+      state.method == Method::flow || state.method == Method::split_flow || state.method == Method::mixed_order;
+  const QString step = translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "step %1 of %2: %3"))
+                           .arg(state.steps)
+                           .arg(steps)
+                           .arg(shown_by(shading));
+  return by_flow ? labels::flow_name(state.flow) + QStringLiteral(", ") + step : labels::sentence(step);
+}
+
 bool has_film(const Document& document, const std::set<int>& patches) {
   const FilmedPatches film = filmed(document, patches);
   return std::any_of(film.timelines.begin(), film.timelines.end(), [](const auto& t) { return t->size() > 1; });
@@ -93,7 +95,7 @@ FilmSource film_of(MeshView& view, const Document& document, const std::set<int>
     if (picture.isNull()) return picture;
     picture = picture.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     const Timeline& longest = *film.timelines[film.longest];
-    write_caption(picture, caption_of(*longest[at], longest.back()->steps, view.look().shading));
+    write_caption(picture, film_caption(*longest[at], longest.back()->steps, view.look().shading));
     return picture;
   };
   return source;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "dialogs/film_dialog.h"
+#include "document/patch_state.h"
+#include "scene/shading.h"
 
 #include <set>
 
@@ -10,6 +12,10 @@ namespace loopmend {
 
 class Document;
 class MeshView;
+
+/// "MMCVF, step 4 of 7: mean curvature". No flow is named where the step was not one of a flow.
+/// @param steps  of the whole film.
+QString film_caption(const PatchState& state, int steps, Shading shading);
 
 /// Whether a flow has moved one of these patches.
 bool has_film(const Document& document, const std::set<int>& patches);

@@ -6,6 +6,7 @@
 
 #include "dialogs/film_dialog.h"
 #include "scene/film.h"
+#include "views/film_source.h"
 
 #include <QAction>
 #include <QDir>
@@ -93,6 +94,7 @@ class FilmTest : public QObject {
  private Q_SLOTS:
   void a_gif_keeps_colors_and_times();
   void at_most_ten_pictures_a_second();
+  void a_caption_names_a_flow_only_where_one_ran();
   void the_window_writes_the_flow();
   void a_film_given_up_leaves_no_file();
   void a_film_that_cannot_be_written_says_so();
@@ -102,6 +104,16 @@ class FilmTest : public QObject {
   QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   QTemporaryDir folder_;
 };
+
+void FilmTest::a_caption_names_a_flow_only_where_one_ran() {
+  PatchState state;
+  state.flow = FlowKind::mmcvf;
+  state.steps = 4;
+  state.method = Method::split_flow;
+  QCOMPARE(film_caption(state, 7, Shading::curvature), QStringLiteral("MMCVF, step 4 of 7: mean curvature"));
+  state.method = Method::linear_fairing;
+  QCOMPARE(film_caption(state, 7, Shading::curvature), QStringLiteral("Step 4 of 7: mean curvature"));
+}
 
 void FilmTest::a_gif_keeps_colors_and_times() {
   const std::vector<RgbPicture> pictures{ramp(160, 120, 40), ramp(160, 120, 120), ramp(160, 120, 120)};
