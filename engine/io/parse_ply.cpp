@@ -12,7 +12,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
@@ -92,13 +91,6 @@ FacePlan plan_faces(const PlyElement& element, const ParseErrors& errors) {
 constexpr std::size_t rows_in_block = 1 << 16;
 int block_count(std::size_t rows) { return static_cast<int>((rows + rows_in_block - 1) / rows_in_block); }
 std::size_t block_begin(int block) { return rows_in_block * static_cast<std::size_t>(block); }
-
-template <class T>
-T loaded(const char* from) {
-  T value;
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
 
 /// Goes through the body once, in the order of the header.
 template <class Rows>

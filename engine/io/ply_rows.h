@@ -17,6 +17,14 @@
 
 namespace loopmend {
 
+/// The value whose bytes begin there, in the order of this machine.
+template <class T>
+T loaded(const char* from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+
 /// Values as text. A row begins on a line of its own and may go on over several.
 class PlyTextRows {
  public:
@@ -177,9 +185,7 @@ class PlyBinaryRows {
       for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(buffer[i], buffer[sizeof(T) - 1 - i]);
     }
     at_ += sizeof(T);
-    T value;
-    std::memcpy(&value, buffer, sizeof(T));
-    return value;
+    return loaded<T>(buffer);
   }
 
   void require(std::uint64_t count) const {
