@@ -73,9 +73,9 @@ Facing facing_of(const SurfaceShape& shape) {
   return facing;
 }
 
-/// The scan's own colours tell nothing of flows.
+/// The scan's own colours show nothing of flows, and the states of a flow have no estimate of their error.
 Look comparable(Look look) {
-  if (look.shading == Shading::scan) look.shading = Shading::curvature;
+  if (look.shading == Shading::scan || look.shading == Shading::deviation) look.shading = Shading::curvature;
   return look;
 }
 

@@ -73,6 +73,11 @@ struct PatchState : PatchResult {
 };
 using PatchStatePtr = std::shared_ptr<const PatchState>;
 
+/// Gives the shape of a state the likely error of its vertices, where it is known.
+inline void show_deviation(PatchState& state) {
+  if (!state.deviation.vertices.empty()) state.shape = with_deviation(*state.shape, state.deviation.vertices);
+}
+
 /// Memory held by a state, in bytes.
 std::size_t size_of(const PatchState& state);
 

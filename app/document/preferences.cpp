@@ -91,7 +91,8 @@ Look load_look() {
 
 void save_look(const Look& look) {
   QSettings stored = settings();
-  if (look.shading != Shading::scan) stored.setValue(QStringLiteral("look/shading"), static_cast<int>(look.shading));
+  const bool suits_every_scan = look.shading <= Shading::isophotes;
+  if (suits_every_scan) stored.setValue(QStringLiteral("look/shading"), static_cast<int>(look.shading));
   stored.setValue(QStringLiteral("look/edges"), static_cast<int>(look.edges));
   stored.setValue(QStringLiteral("look/seams"), static_cast<int>(look.seams));
   stored.setValue(QStringLiteral("look/stripes"), look.stripes);

@@ -18,7 +18,7 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 10;  ///< no other one is read
+constexpr qint32 format_version = 11;  ///< no other one is read
 
 using Writer = SessionWriter;
 using Reader = SessionReader;
@@ -234,6 +234,8 @@ void put(Writer& out, const PatchState& state) {
   out.put(static_cast<quint64>(state.deviation.loops.size()));
   for (const auto& e : state.deviation.loops)
     for (double figure : {e.half, e.likely, e.most, e.second_order}) out.put(figure);
+  out.put(static_cast<quint64>(state.deviation.vertices.size()));
+  for (double distance : state.deviation.vertices) out.put(distance);
 }
 
 Verdict verdict(Reader& in) {
@@ -276,6 +278,11 @@ PatchStatePtr state(Reader& in) {
     ExpectedDeviation& e = s->deviation.loops.emplace_back();
     for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
   }
+  for (int vertices = in.count(sizeof(double)); vertices > 0; --vertices)
+    s->deviation.vertices.push_back(in.number<double>());
+  if (!s->deviation.vertices.empty() &&
+      s->deviation.vertices.size() != static_cast<std::size_t>(s->patch.free_count))
+    in.fail(say("the likely errors of a patch are not complete"));
   return s;
 }
 
@@ -313,7 +320,7 @@ SessionView session_view(Reader& in) {
     if (!v->allFinite()) in.fail(say("a coordinate is not a finite number"));
   }
   if (view.from.focus == view.from.eye || !(view.from.up.norm() > 0)) in.fail(say("the view is from nowhere"));
-  view.look.shading = word(in, Shading::scan);
+  view.look.shading = word(in, Shading::deviation);
   view.look.edges = word(in, Edges::shown);
   view.look.seams = word(in, Seams::shown);
   view.look.map = word(in, ColorMap::grey);

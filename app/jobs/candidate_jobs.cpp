@@ -71,6 +71,7 @@ OpenPatch open_patch(const CandidateTask& task, const PatchResult& result, const
   state->message = message_of(result);
   state->shape = std::make_shared<SurfaceShape>(
       shape_of(result.patch, curvature_field(result.patch), task.origin, task.scan_context->colors()));
+  show_deviation(*state);
   const bool whole = result.patch.loop_numbers == first.patch.loop_numbers;
   state->boundary = whole ? first.boundary : boundary_knowledge(result.patch);
   state->recipe.density = task.patch.state->recipe.density;

@@ -229,6 +229,7 @@ void FillController::adopt(OpenPatch patch) {
         auto state = std::make_shared<PatchState>(*patch.state);
         state->shape = std::make_shared<SurfaceShape>(
             shape_of(state->patch, curvature_field(state->patch), origin, scan_context->colors()));
+        show_deviation(*state);
         return judged(std::move(state), &patch.timeline->front()->patch, *scan_context);
       },
       [this, patch](const PatchStatePtr& state) { on_judged(patch, state); },

@@ -195,6 +195,7 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
       refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
   state->shape =
       std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), origin, scan.colors));
+  show_deviation(*state);
   state->boundary = boundary_knowledge(state->patch);
   patch.state = state;
   patch.timeline = start_timeline(patch.state);

@@ -60,6 +60,7 @@ PatchStatePtr with_verdicts(PatchStatePtr state, const Patch& initial, const std
   judged->validity = validate(scan_context.index(), judged->patch);
   judge_again({scan_context.index(), initial, loops}, options, *judged);
   expect_deviation(options, {}, *judged);
+  show_deviation(*judged);
   return judged;
 }
 

@@ -112,6 +112,7 @@ PatchStatePtr SteadyRun::state_of(const PatchResult& result, const PatchState& f
   state->message = message_of(result);
   state->shape = std::make_shared<SurfaceShape>(
       shape_of(result.patch, curvature_field(result.patch), task_.origin, item_.scan_context->colors()));
+  show_deviation(*state);
   state->recipe = start.recipe;
   RunRecipe run = recipe_of(task_.options);
   run.steps = result.steps;

@@ -14,7 +14,7 @@ QComboBox* make_flow_choice(const char* name, const QString& help);
 QComboBox* make_boundary_choice(const char* name);
 /// Every SeamContinuity, curvature first.
 QComboBox* make_continuity_choice(const char* name);
-/// Every Shading, in the order of the keys 1 to 5.
+/// The shadings of every surface, in the order of the keys 1 to 5.
 QComboBox* make_shading_choice(const char* name, const QString& help);
 
 }  // namespace loopmend

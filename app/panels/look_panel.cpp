@@ -46,6 +46,10 @@ QString shading_help(Shading shading) {
       return LookPanel::tr(
           "The scan's own colours or texture. Patches continue the colours smoothly; the grain of a texture is painted "
           "on export.");
+    case Shading::deviation:
+      return LookPanel::tr(
+          "How far each point of a patch is likely from what was there. Known after a fill with the default boundary; an "
+          "estimate, calibrated on holes that were cut into whole models.");
   }
   return {};
 }
@@ -69,8 +73,9 @@ LookPanel::LookPanel(QWidget* parent) : QWidget(parent) {
 }
 
 void LookPanel::build() {
-  shading_ = make_shading_choice("shading", tr("How surfaces are shown (keys 1 to 6)"));
+  shading_ = make_shading_choice("shading", tr("How surfaces are shown (keys 1 to 7)"));
   shading_->addItem(tr("Scan colours"), static_cast<int>(Shading::scan));
+  shading_->addItem(tr("Likely error"), static_cast<int>(Shading::deviation));
   help_ = make_note("shadingHelp");
   auto* shading_box = new QGroupBox(tr("Shading"));
   auto* shading_layout = new QVBoxLayout(shading_box);
@@ -155,20 +160,20 @@ QWidget* LookPanel::build_colors() {
   return box;
 }
 
-ColorRange& LookPanel::range() { return look_.shading == Shading::gaussian ? look_.K : look_.H; }
-
 void LookPanel::show_look() {
   const QScopedValueRollback guard(syncing_, true);
   const bool colored = is_colored(look_.shading);
-  const bool own = range().rule == ColorRange::Rule::own;
+  const bool own = look_.range().rule == ColorRange::Rule::own;
   shading_->setCurrentIndex(shading_->findData(static_cast<int>(look_.shading)));
   help_->setText(shading_help(look_.shading));
   map_->setCurrentIndex(map_->findData(static_cast<int>(look_.map)));
-  rule_->setCurrentIndex(rule_->findData(static_cast<int>(range().rule)));
-  percent_->setValue(range().percent);
-  half_width_->setValue(range().half_width);
-  percent_->setVisible(!own);
-  half_width_->setVisible(own);
+  rule_->setCurrentIndex(rule_->findData(static_cast<int>(look_.range().rule)));
+  percent_->setValue(look_.range().percent);
+  half_width_->setValue(look_.range().half_width);
+  const bool has_sign = !begins_at_zero(look_.shading);
+  rule_->setVisible(has_sign);
+  percent_->setVisible(has_sign && !own);
+  half_width_->setVisible(has_sign && own);
   edges_->setChecked(look_.edges == Edges::shown);
   seams_->setChecked(look_.seams == Seams::shown);
   stripes_->setValue(look_.stripes);
@@ -178,13 +183,13 @@ void LookPanel::show_look() {
 
 void LookPanel::change() {
   if (syncing_) return;
-  const bool was_own = range().rule == ColorRange::Rule::own;
+  const bool was_own = look_.range().rule == ColorRange::Rule::own;
   look_.shading = static_cast<Shading>(shading_->currentData().toInt());
   if (sender() != shading_) {
-    range().rule = static_cast<ColorRange::Rule>(rule_->currentData().toInt());
-    range().percent = percent_->value();
-    range().half_width = half_width_->value();
-    if (range().rule == ColorRange::Rule::own && !was_own) range().half_width = range_in_force_;
+    look_.range().rule = static_cast<ColorRange::Rule>(rule_->currentData().toInt());
+    look_.range().percent = percent_->value();
+    look_.range().half_width = half_width_->value();
+    if (look_.range().rule == ColorRange::Rule::own && !was_own) look_.range().half_width = range_in_force_;
   }
   look_.map = static_cast<ColorMap>(map_->currentData().toInt());
   look_.edges = edges_->isChecked() ? Edges::shown : Edges::hidden;

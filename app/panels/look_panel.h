@@ -42,7 +42,6 @@ class LookPanel : public QWidget {
   QWidget* build_colors();
   void show_look();
   void change();
-  ColorRange& range();
 
   Look look_;
   double range_in_force_ = 1;

@@ -10,9 +10,15 @@ class vtkLookupTable;
 
 namespace loopmend {
 
-/// 256 entries over [−1, 1]; set the range with SetRange.
+/// What the ends of a colour table stand for.
+enum class TableEnds {
+  both_signs,  ///< [−half_width, half_width], all of the map
+  from_zero,   ///< [0, half_width], from the middle of the map to its upper end
+};
+
+/// 256 entries over [−1, 1].
 vtkSmartPointer<vtkLookupTable> make_diverging_table();
-/// Other colours in the same table.
-void paint_table(vtkLookupTable* table, ColorMap map);
+/// Other colours and another range in the same table. @param half_width  above 0
+void paint_table(vtkLookupTable* table, ColorMap map, TableEnds ends, double half_width);
 
 }  // namespace loopmend

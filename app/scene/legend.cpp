@@ -149,11 +149,13 @@ void Legend::lay_out(int width, int height) {
   build_bar(right - bar_width, bottom, bar_width, bar_height);
   bar_box_ = {Eigen::Vector2d(right - bar_width, bottom), Eigen::Vector2d(right, bar_top)};
   place(bottom_, right, bottom - 18 * ratio_, 11);
-  const double range = table_->GetRange()[1];
+  const double low = table_->GetRange()[0], range = table_->GetRange()[1];
   for (int i = 0; i < label_count; ++i) {
     const double t = static_cast<double>(i) / (label_count - 1);
     vtkTextActor* label = labels_[static_cast<std::size_t>(i)];
-    label->SetInput(number((2 * t - 1) * range, range, decimal_mark_).c_str());
+    std::string text = number(low + t * (range - low), range, decimal_mark_);
+    if (low == 0 && text[0] == '+') text.erase(0, 1);
+    label->SetInput(text.c_str());
     label->GetTextProperty()->SetJustificationToRight();
     place(label, right - bar_width - 9 * ratio_, bottom + t * bar_height, 12);
   }

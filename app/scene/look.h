@@ -28,6 +28,9 @@ struct Look {
   ColorMap map = ColorMap::blue_orange;
   ColorRange H, K;
   int stripes = 9;  ///< 3..40, of zebra and isophotes
+
+  const ColorRange& range() const { return shading == Shading::gaussian ? K : H; }
+  ColorRange& range() { return shading == Shading::gaussian ? K : H; }
 };
 
 /// From where the scene is looked at; mesh units.

@@ -81,10 +81,18 @@ struct MeshScene::Impl {
     auto& of_scan = tables[scan];
     if (!of_scan) {
       of_scan = make_diverging_table();
-      paint_table(of_scan, map);
-      of_scan->SetRange(-range_of(scan), range_of(scan));
+      paint(of_scan, range_of(scan));
     }
     return of_scan;
+  }
+  void paint(vtkLookupTable* one, double half_width) const {
+    paint_table(one, map, begins_at_zero(shading) ? TableEnds::from_zero : TableEnds::both_signs, half_width);
+  }
+  void paint_tables(double half_width) {
+    paint(table, half_width);
+    for (auto& [scan, own] : tables) paint(own, range_of(scan));
+    each_surface([](SurfaceActor& surface) { surface.recolor(); });
+    update_legend();
   }
   void prepare(SurfaceActor& surface) {
     surface.set_shading(shading);
@@ -111,7 +119,7 @@ struct MeshScene::Impl {
     scan.drawing->show(by_parts ? scan.parts : std::vector<ShapePtr>{scan.shape});
   }
   bool colored() const {
-    const auto known = [](const SurfaceShape* shape) { return shape && !shape->H.empty(); };
+    const auto known = [this](const SurfaceShape* shape) { return shape && !values_of(*shape, shading).empty(); };
     return is_colored(shading) &&
            (std::any_of(scans.begin(), scans.end(), [&](const auto& scan) { return known(scan.second.shape.get()); }) ||
             std::any_of(patch_shapes.begin(), patch_shapes.end(),
@@ -315,7 +323,7 @@ void MeshScene::set_shading(Shading shading) {
   impl_->shading = shading;
   impl_->each_surface([&](SurfaceActor& surface) { surface.set_shading(shading); });
   for (auto& [index, scan] : impl_->scans) impl_->choose_shapes(scan);
-  impl_->update_legend();
+  impl_->paint_tables(range());
 }
 
 void MeshScene::set_edges(Edges edges) {
@@ -351,19 +359,13 @@ void MeshScene::set_stripes(int count) {
 void MeshScene::set_color_map(ColorMap map) {
   impl_->renderer->still_changed();
   impl_->map = map;
-  paint_table(impl_->table, map);
-  for (auto& [scan, table] : impl_->tables) paint_table(table, map);
-  impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
-  impl_->update_legend();
+  impl_->paint_tables(range());
 }
 
 void MeshScene::set_range(double half_width, const std::map<int, double>& own) {
   impl_->renderer->still_changed();
   impl_->own_ranges = own;
-  impl_->table->SetRange(-half_width, half_width);
-  for (auto& [scan, table] : impl_->tables) table->SetRange(-impl_->range_of(scan), impl_->range_of(scan));
-  impl_->each_surface([](SurfaceActor& surface) { surface.recolor(); });
-  impl_->update_legend();
+  impl_->paint_tables(half_width);
 }
 
 double MeshScene::range() const { return impl_->table->GetRange()[1]; }

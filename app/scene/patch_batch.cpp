@@ -3,6 +3,8 @@
 
 #include <vtkActor.h>
 
+#include <limits>
+
 namespace loopmend {
 namespace {
 
@@ -20,6 +22,9 @@ std::shared_ptr<const SurfaceShape> joined(const PatchBatch::Shapes& shapes) {
     all->normals.insert(all->normals.end(), shape->normals.begin(), shape->normals.end());
     all->H.insert(all->H.end(), shape->H.begin(), shape->H.end());
     all->K.insert(all->K.end(), shape->K.begin(), shape->K.end());
+    all->deviation.insert(all->deviation.end(), shape->deviation.begin(), shape->deviation.end());
+    if (shape->deviation.empty())  // beside others that have one
+      all->deviation.resize(all->points.size() / 3, std::numeric_limits<float>::quiet_NaN());
     if (shape->colors.empty())  // beside those of a scan with colours
       for (std::size_t v = 0; v < shape->points.size() / 3; ++v)
         for (const double channel : patch_color) all->colors.push_back(static_cast<unsigned char>(255 * channel));

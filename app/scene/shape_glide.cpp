@@ -18,7 +18,7 @@ void mix(const std::vector<float>& from, const std::vector<float>& to, float sha
 /// A flow flips edges here and there; where most triangles are others, the vertices are others, too.
 bool ShapeGlide::is_possible(const SurfaceShape& from, const SurfaceShape& to) {
   if (from.points.size() != to.points.size() || from.H.size() != to.H.size() || from.K.size() != to.K.size() ||
-      from.triangles.size() != to.triangles.size())
+      from.deviation.size() != to.deviation.size() || from.triangles.size() != to.triangles.size())
     return false;
   std::size_t same = 0;
   for (std::size_t i = 0; i < to.triangles.size(); ++i) same += from.triangles[i] == to.triangles[i];
@@ -32,6 +32,7 @@ ShapeGlide::ShapeGlide(const SurfaceShape& from, std::shared_ptr<const SurfaceSh
   shown_.normals = from.normals;
   shown_.H = from.H;
   shown_.K = from.K;
+  shown_.deviation = from.deviation;
   start_from_shown(now, now + time);
 }
 
@@ -48,6 +49,7 @@ void ShapeGlide::advance(Clock::time_point now) {
   mix(from_.normals, to_->normals, share, shown_.normals);
   mix(from_.H, to_->H, share, shown_.H);
   mix(from_.K, to_->K, share, shown_.K);
+  mix(from_.deviation, to_->deviation, share, shown_.deviation);
 }
 
 void ShapeGlide::hurry(Clock::time_point now, Clock::time_point end) {

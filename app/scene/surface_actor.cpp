@@ -135,7 +135,7 @@ vtkNew<vtkTexture> texture_of(const Picture& picture) {
 
 vtkNew<vtkFloatArray> unknown_everywhere(const std::shared_ptr<const SurfaceShape>& shape) {
   vtkNew<vtkFloatArray> array;
-  array->SetName("curvature");
+  array->SetName("values");
   array->SetNumberOfValues(shape ? static_cast<vtkIdType>(shape->points.size() / 3) : 0);
   array->FillValue(0);
   return array;
@@ -290,11 +290,9 @@ void SurfaceActor::update_scalars() {
   }
   mapper_->ScalarVisibilityOn();
   const SurfaceShape* shown = glide_ ? &glide_->shown() : shape_.get();
-  const std::vector<float>* values = nullptr;
-  if (shown && shading_ == Shading::curvature) values = &shown->H;
-  if (shown && shading_ == Shading::gaussian) values = &shown->K;
-  const bool known = values && !values->empty();
-  data_->GetPointData()->SetScalars(known ? wrap(*values, 1, "curvature") : unknown_everywhere(shape_));
+  const bool known = shown && !values_of(*shown, shading_).empty();
+  data_->GetPointData()->SetScalars(known ? wrap(values_of(*shown, shading_), 1, "values")
+                                          : unknown_everywhere(shape_));
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", known ? 1 : 0);
   data_->Modified();
 }

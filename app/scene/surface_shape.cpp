@@ -150,6 +150,28 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   return shape;
 }
 
+const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading) {
+  static const std::vector<float> none;
+  switch (shading) {
+    case Shading::curvature: return shape.H;
+    case Shading::gaussian: return shape.K;
+    case Shading::deviation: return shape.deviation;
+    case Shading::plain:
+    case Shading::zebra:
+    case Shading::isophotes:
+    case Shading::scan: break;
+  }
+  return none;
+}
+
+std::shared_ptr<const SurfaceShape> with_deviation(const SurfaceShape& shape,
+                                                   std::span<const double> of_free_vertices) {
+  auto known = std::make_shared<SurfaceShape>(shape);
+  known->deviation.assign(of_free_vertices.begin(), of_free_vertices.end());
+  if (!known->deviation.empty()) known->deviation.resize(shape.points.size() / 3, 0);
+  return known;
+}
+
 std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors& colors, SurfaceShape& view) {
   std::vector<std::shared_ptr<const SurfaceShape>> parts;
   if (colors.at_vertices.size() * 3 == view.points.size()) view.colors = three_bytes(colors.at_vertices);
@@ -204,6 +226,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
   take(whole.normals, 3, shape->normals);
   take(whole.H, 1, shape->H);
   take(whole.K, 1, shape->K);
+  take(whole.deviation, 1, shape->deviation);
   take(whole.colors, 3, shape->colors);
   take(whole.texture, 2, shape->texture);
   for (int v : used) number[static_cast<std::size_t>(v)] = -1;

@@ -6,6 +6,7 @@
 #include "appearance/scan_colors.h"
 #include "mesh/patch.h"
 #include "mesh/surface_model.h"
+#include "scene/shading.h"
 #include "scene/triangle_list.h"
 
 #include <memory>
@@ -22,6 +23,7 @@ struct SurfaceShape {
   int own_triangles = 0;              ///< of a patch: how many are its own; of a scan: all
   std::vector<float> H;               ///< #V, mean curvature, 1/length, NaN where unknown; empty before it was computed
   std::vector<float> K;               ///< #V, Gaussian curvature, 1/length², likewise
+  std::vector<float> deviation;       ///< #V, of a patch: likely distance from what was there, mesh units; else empty
   std::vector<unsigned char> colors;  ///< 3 × #V, red, green, blue; empty: it has none of its own
   std::vector<float> texture;         ///< 2 × #V, of a part of a scan that has a picture; else empty
   std::shared_ptr<const Picture> picture;  ///< of `texture`
@@ -30,6 +32,13 @@ struct SurfaceShape {
   std::shared_ptr<const std::vector<Color>> scan_colors;
   std::shared_ptr<const SurfaceShape> reduced;  ///< of a large one: reduced_shape(); else null
 };
+
+/// What the colours of a shading stand for; empty: not known, or not coloured by values.
+const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading);
+
+/// The shape of a patch with the likely distance of each vertex; 0 at the vertices of the scan.
+/// @param of_free_vertices  DeviationEstimate::vertices; empty: not known
+std::shared_ptr<const SurfaceShape> with_deviation(const SurfaceShape& shape, std::span<const double> of_free_vertices);
 
 /// Some triangles of a surface, in this order, with the vertices that they need.
 /// @param number  -1 for every vertex of the surface, or shorter; so it is left

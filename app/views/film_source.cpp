@@ -22,6 +22,7 @@ QString shown_by(Shading shading) {
     case Shading::gaussian: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "Gaussian curvature"));
     case Shading::zebra: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "reflected stripes"));
     case Shading::isophotes: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "isophotes"));
+    case Shading::deviation: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "likely error"));
     case Shading::scan: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the scan's colours"));
     case Shading::plain: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the surface"));
   }

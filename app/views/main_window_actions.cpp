@@ -41,7 +41,8 @@ constexpr std::pair<const char*, NamedView> sides[] = {
     {"lookRight", NamedView::right}, {"lookTop", NamedView::top},   {"lookBottom", NamedView::bottom}};
 constexpr std::pair<const char*, Shading> shadings[] = {
     {"scanColors", Shading::scan}, {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
-    {"plain", Shading::plain},     {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes}};
+    {"plain", Shading::plain},     {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes},
+    {"deviation", Shading::deviation}};
 
 /// A window of its own that goes when it is closed.
 template <class Dialog, class... Arguments>
@@ -196,6 +197,10 @@ void MainWindow::update_actions() {
     a[name]->setEnabled(scan);
   a["film"]->setEnabled(idle && has_film(document_, chosen_patches(document_, selection_)));
   a["scanColors"]->setEnabled(has_scan_colors_);
+  const std::vector<OpenPatch>& patches = document_.patches();
+  a["deviation"]->setEnabled(std::any_of(patches.begin(), patches.end(), [](const OpenPatch& patch) {
+    return !patch.state->shape->deviation.empty();
+  }));
   a["orthographic"]->setEnabled(scan);
   a["showPieces"]->setEnabled(visibility_.hidden_count() > 0);
   for (const auto& [name, side] : sides) a[name]->setEnabled(scan);

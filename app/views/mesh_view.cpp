@@ -218,8 +218,12 @@ void MeshView::update_colors() {
 
 void MeshView::update_range() {
   if (!is_colored(impl_->look.shading)) return;
-  const bool mean = impl_->look.shading == Shading::curvature;
-  const ColorRange& wanted = mean ? impl_->look.H : impl_->look.K;
+  constexpr double nearly_all = 98;
+  if (impl_->look.shading == Shading::deviation) {  // scans have none
+    use_ranges(range_of_patches(nearly_all), {});
+    return;
+  }
+  const ColorRange& wanted = impl_->look.range();
   if (wanted.rule == ColorRange::Rule::own) {
     use_ranges(wanted.half_width, {});
     return;
@@ -247,8 +251,7 @@ void MeshView::update_range() {
 double MeshView::range_of_patches(double percent) const {
   double widest = 0;
   for (const OpenPatch& patch : impl_->document.patches()) {
-    const SurfaceShape& shape = *patch.state->shape;
-    const std::vector<float>& values = impl_->look.shading == Shading::gaussian ? shape.K : shape.H;
+    const std::vector<float>& values = values_of(*patch.state->shape, impl_->look.shading);
     if (!values.empty()) widest = std::max(widest, symmetric_range(values, percent));
   }
   return widest;
@@ -263,18 +266,25 @@ void MeshView::use_ranges(double half_width, const std::map<int, double>& of_sca
 /// Whose range the legend shows: that of the selected hole's scan, else of the first one; `every_scan` where they share one.
 int MeshView::legend_scan() const {
   const Document& document = impl_->document;
-  const ColorRange& range = impl_->look.shading == Shading::gaussian ? impl_->look.K : impl_->look.H;
-  if (range.rule != ColorRange::Rule::percentile_each || document.scans().size() < 2) return every_scan;
+  if (impl_->look.shading == Shading::deviation) return every_scan;
+  if (impl_->look.range().rule != ColorRange::Rule::percentile_each || document.scans().size() < 2) return every_scan;
   for (int loop : impl_->selection.selected())
     if (document.present(loop)) return document.scan_of(loop);
   return document.scans().front();
 }
 
 void MeshView::update_legend_words() {
+  const QString symbol = labels::unit_symbol(impl_->document.unit());
+  if (impl_->look.shading == Shading::deviation) {
+    impl_->scene.set_legend_words({tr("Likely error").toStdString(),
+                                   (symbol.isEmpty() ? tr("in the file's units") : tr("in %1").arg(symbol)).toStdString(),
+                                   tr("far from what was there").toStdString(), tr("near").toStdString(),
+                                   QLocale().decimalPoint().toLatin1()});
+    return;
+  }
   LegendWords words;
   const bool mean = impl_->look.shading != Shading::gaussian;
   words.title = (mean ? tr("Mean curvature H") : tr("Gaussian curvature K")).toStdString();
-  const QString symbol = labels::unit_symbol(impl_->document.unit());
   QString unit = mean ? tr("in 1/length") : tr("in 1/length\u00b2");
   if (!symbol.isEmpty()) unit = (mean ? tr("in 1/%1") : tr("in 1/%1\u00b2")).arg(symbol);
   if (const int scan = legend_scan(); scan != every_scan)

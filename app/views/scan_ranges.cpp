@@ -6,7 +6,7 @@ namespace loopmend {
 double ScanRanges::of(int scan, const std::shared_ptr<const SurfaceShape>& shape, Shading shading, double percent) {
   Entry& entry = entries_[{scan, shading}];
   if (entry.shape != shape || entry.percent != percent) {
-    const std::vector<float>& values = shading == Shading::gaussian ? shape->K : shape->H;
+    const std::vector<float>& values = values_of(*shape, shading);
     entry = {shape, percent, values.empty() ? 0 : symmetric_range(values, percent)};
   }
   return entry.half_width;

@@ -70,11 +70,14 @@ Probe probe(const Document& document, const SurfacePlace& place) {
     where = tr("Patch of %1").arg(labels::holes(document, {loops.begin(), loops.end()}));
   }
   const Vec3 at = place.at + document.origin();
-  return {
+  Probe found{
       place.at,
       {where,
        QStringLiteral("x %1   y %2   z %3").arg(labels::number(at.x()), labels::number(at.y()), labels::number(at.z())),
        QStringLiteral("H %1   K %2").arg(value(shape.H, vertex), value(shape.K, vertex))}};
+  if (!shape.deviation.empty())
+    found.lines.push_back(tr("likely error %1").arg(labels::number(static_cast<double>(shape.deviation[vertex]))));
+  return found;
 }
 
 }  // namespace loopmend

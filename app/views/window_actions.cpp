@@ -80,6 +80,10 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Bands of equal brightness"), "5", "isophotes", choice},
     {"scanColors", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Scan colours"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The scan's own colours or texture"), "6", "palette", choice},
+    {"deviation", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Likely error"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Colour patches by how far each point is likely from what was there"),
+     "7", "deviation", choice},
     {"wireframe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Wireframe"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw the triangles' edges"), "W", "wireframe", toggle},
     {"seams", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Boundaries and seams"),
@@ -277,7 +281,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "nextToLookAt", "filter", "-",
                          "preferences"});
   QMenu* view = add_menu(
-      tr("&View"), {"curvature",    "gaussian",   "plain",      "zebra",        "isophotes", "scanColors", "-",
+      tr("&View"), {"curvature",    "gaussian",   "plain",      "zebra",        "isophotes", "scanColors", "deviation", "-",
                     "wireframe",    "seams",      "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
                     "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",      "-",          "hidePiece",
                     "isolatePiece", "showPieces", "-",          "probe",        "-"});
@@ -330,7 +334,7 @@ void WindowActions::build_toolbar() {
   };
   group({"open", "saveSession", "export"}, Qt::ToolButtonTextBesideIcon);
   group({"undo", "redo"}, Qt::ToolButtonIconOnly);
-  group({"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors"}, Qt::ToolButtonTextBesideIcon);
+  group({"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors", "deviation"}, Qt::ToolButtonTextBesideIcon);
   group({"wireframe", "seams", "frame", "screenshot"}, Qt::ToolButtonIconOnly);
   group({"compare"}, Qt::ToolButtonTextBesideIcon);
   const auto short_name = [this](const char* name, const QString& text) { (*this)[name]->setIconText(text); };

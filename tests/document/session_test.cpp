@@ -65,6 +65,8 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   verdict.height = 0.25;
   verdict.folds = 2;
   state->verdicts = {verdict};
+  state->deviation.loops = {{0.1, 0.2, 0.3, 0.04}};
+  for (int v = 0; v < state->patch.free_count; ++v) state->deviation.vertices.push_back(0.01 * v);
   return state;
 }
 
@@ -90,6 +92,7 @@ void expect_same(const SeamReport& a, const SeamReport& b) {
 }
 
 void expect_same(const PatchState& a, const PatchState& b) {
+  EXPECT_EQ(a.deviation.vertices, b.deviation.vertices);
   EXPECT_EQ(a.patch.free_count, b.patch.free_count);
   EXPECT_EQ(a.patch.positions, b.patch.positions);
   EXPECT_EQ(a.patch.triangles, b.patch.triangles);

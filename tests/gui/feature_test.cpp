@@ -46,6 +46,7 @@ class FeatureTest : public QObject {
  private Q_SLOTS:
   void every_look_draws_another_picture();
   void a_scan_with_colors_is_shown_in_them();
+  void likely_error_colors_the_patches();
   void a_kept_picture_is_the_whole_picture();
   void a_point_tells_its_values();
   void pictures_of_any_size();
@@ -139,6 +140,40 @@ void FeatureTest::a_scan_with_colors_is_shown_in_them() {
   QVERIFY(wait_until([&] { return window.view().look().shading == Shading::curvature; }));
   QVERIFY(wait_idle(window));
   QVERIFY(!part<QAction>(window, "scanColors")->isEnabled());
+}
+
+/// A saved session keeps the values, and undo takes them away.
+void FeatureTest::likely_error_colors_the_patches() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const auto* action = part<QAction>(window, "deviation");
+  QVERIFY2(!action->isEnabled(), "there are no patches");
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window, 120));
+  QVERIFY(action->isEnabled());
+  settle();
+  const QImage curvature = window.view().picture();
+  trigger(window, "deviation");
+  settle();
+  QVERIFY(share_changed(curvature, window.view().picture()) > 0.01);
+  double widest = 0;
+  for (const OpenPatch& patch : window.document().patches()) {
+    const Patch& p = patch.state->patch;
+    const std::vector<float>& values = patch.state->shape->deviation;
+    QCOMPARE(values.size(), p.positions.size());
+    QVERIFY(std::all_of(values.begin(), values.begin() + p.free_count, [](float value) { return value > 0; }));
+    QVERIFY(std::all_of(values.begin() + p.free_count, values.end(), [](float value) { return value == 0; }));
+    widest = std::max(widest, static_cast<double>(*std::max_element(values.begin(), values.end())));
+  }
+  QVERIFY(window.view().range() > 0.3 * widest && window.view().range() <= 1.05 * widest);
+  const QString session = folder_.filePath(QStringLiteral("likely.loopmend"));
+  window.controller().save_session(session);
+  QVERIFY(wait_idle(window));
+  const std::vector<float> before = window.document().patches().front().state->shape->deviation;
+  window.controller().open({session}, OpenMode::replace);
+  QVERIFY(wait_idle(window, 60));
+  QCOMPARE(window.view().look().shading, Shading::deviation);
+  QVERIFY(window.document().patches().front().state->shape->deviation == before);
 }
 
 void FeatureTest::a_kept_picture_is_the_whole_picture() {

@@ -138,6 +138,8 @@ void show_looks(MainWindow& window) {
   trigger(window, "gaussian");
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, window.view().canvas()->rect().center());
   shoot(window, "gaussian");
+  trigger(window, "deviation");
+  shoot(window, "likely_error");
   trigger(window, "plain");
   trigger(window, "wireframe");
   linger(1500);  // the graphics take their time over edges, the first time
