@@ -17,10 +17,10 @@ namespace loopmend {
 namespace {
 
 /// @throws UsageError unless the text is two whole numbers.
-std::pair<int, int> bridge_ends(const std::string& text) {
+std::pair<int, int> two_vertices(const char* option, const std::string& text) {
   int a = 0, b = 0, used = 0;
   if (std::sscanf(text.c_str(), "%d,%d%n", &a, &b, &used) != 2 || used != static_cast<int>(text.size()))
-    throw UsageError("--bridge takes two input vertices such as 17,230, not '" + text + "'");
+    throw UsageError(std::string(option) + " takes two input vertices such as 17,230, not '" + text + "'");
   return {a, b};
 }
 
@@ -44,6 +44,17 @@ void take_mirror(const FillWords& words, FillOptions& options) {
   if (!words.mirror_plane.empty()) options.mirror_planes = {mirror_plane_of(words.mirror_plane)};
   if ((words.mirror || !words.mirror_plane.empty()) && words.flow.flow == "none")
     throw UsageError("--mirror has no effect with --flow none, which leaves the first shape");
+}
+
+void take_edge_edits(const FillWords& words, FillOptions& options) {
+  if (words.drawn_edges.empty() && words.stopped_edges.empty()) return;
+  if (!options.evolution || !is_judged(*options.evolution) || options.evolution->edges == SharpEdges::rounded)
+    throw UsageError(
+        "--draw-edge and --stop-edge take effect with the default flow, boundary and continuity, and without --edges "
+        "round");
+  EdgeEdits& edits = options.evolution->edge_edits;
+  for (const std::string& text : words.drawn_edges) edits.drawn.push_back(two_vertices("--draw-edge", text));
+  if (!words.stopped_edges.empty()) edits.stopped = vertex_numbers_of(words.stopped_edges);
 }
 
 bool is_tolerance(std::string_view word) {
@@ -143,6 +154,14 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->type_name("A,B")
       ->expected(1)
       ->take_all();
+  fill->add_option("--draw-edge", words.drawn_edges,
+                   "Draw a sharp edge across a hole, between its boundary vertices A and B (0-based); repeatable")
+      ->type_name("A,B")
+      ->expected(1)
+      ->take_all();
+  fill->add_option("--stop-edge", words.stopped_edges,
+                   "Do not continue the sharp edges that end at these boundary vertices (0-based)")
+      ->type_name("V,...");
   fill->add_option("--trim-boundary", command.job.prepare.trim_rounds,
                    "First remove up to N rings of bad boundary triangles (dangling, slivers, spikes, flipped), and up "
                    "to ten of those that cross the surface")
@@ -221,6 +240,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   fill = options_of(words.flow);
   fill.threads = threads;
   take_mirror(words, fill);
+  take_edge_edits(words, fill);
   fill.islands = value_named(islands_names, words.islands).value();
 
   PrepareOptions& prepare = command.job.prepare;
@@ -233,7 +253,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   if (words.cut_intersections) prepare.repair.insert(Defect::intersections);
   if (words.cut_handles) prepare.repair.insert(Defect::handles);
   if (!words.base.empty()) prepare.base = base_of(words.base);
-  for (const std::string& text : words.bridges) prepare.bridges.push_back(bridge_ends(text));
+  for (const std::string& text : words.bridges) prepare.bridges.push_back(two_vertices("--bridge", text));
 }
 
 std::vector<std::string> with_stitch_tolerances(std::vector<std::string> words) {

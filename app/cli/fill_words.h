@@ -22,9 +22,10 @@ struct FillWords {
   std::optional<std::string> at_vertices;  ///< "17,230"
   bool include_outer_rim = false, trim_crossing = false, repair = false, cut_intersections = false, cut_handles = false,
        keep_partial = false;
-  std::string stitch;                ///< "0.5" or "5%"; empty: no stitching
-  std::string base;                  ///< "5" or "2:5"; empty: none
-  std::vector<std::string> bridges;  ///< "A,B"
+  std::string stitch;                             ///< "0.5" or "5%"; empty: no stitching
+  std::string base;                               ///< "5" or "2:5"; empty: none
+  std::vector<std::string> bridges, drawn_edges;  ///< "A,B"
+  std::string stopped_edges;                      ///< "17,230"; empty: none
   std::string islands = "join", texture = "grain", materials = "copy";
   bool mirror = false;
   std::string mirror_plane;  ///< "x,y,z,nx,ny,nz"; empty: none

@@ -144,7 +144,7 @@ class Labelling {
   }
   double cost_outside(const DomainEdge& e, int i) const {
     const int outside = side_outside(e);
-    return outside < 0 || outside == i ? 0 : e.length * gap(e, i, outside);
+    return outside < 0 || outside == i ? 0 : sides_.loop_price * e.length * gap(e, i, outside);
   }
 
   double energy(const std::vector<int>& labels) const {

@@ -123,14 +123,16 @@ class SeamTracer {
       layout_.points.push_back(place(both, line[k]));
     }
     chain.points.push_back(to);
-    if (is_sharp(both, line[line.size() / 2])) layout_.seams.push_back(chain.points);
+    if (!is_sharp(both, line[line.size() / 2])) return;
+    layout_.seams.push_back(chain.points);
+    layout_.sides_of_seam.emplace_back(*chain.sides.begin(), *chain.sides.rbegin());
   }
 
   /// Whether both surfaces bend there as sharp edges of the neighborhood do.
-  static bool is_sharp(const std::vector<const SideSurface*>& both, const Vec3& p) {
+  bool is_sharp(const std::vector<const SideSurface*>& both, const Vec3& p) const {
     const Vec3 first = both.front()->normal_at(both.front()->foot(p)),
                second = both.back()->normal_at(both.back()->foot(p));
-    return std::abs(first.dot(second)) < std::cos(sharp_edge_deg * std::numbers::pi / 180);
+    return std::abs(first.dot(second)) < std::cos(sides_.seam_deg * std::numbers::pi / 180);
   }
 
   std::size_t segments(const Points& line) const {

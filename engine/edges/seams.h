@@ -5,6 +5,7 @@
 #include "edges/face_labels.h"
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -20,6 +21,7 @@ struct Part {
 struct SeamLayout {
   Points points;                        ///< the loop's, then those of the seams
   std::vector<std::vector<int>> seams;  ///< those that are sharp
+  std::vector<std::pair<int, int>> sides_of_seam;
   std::vector<Part> parts;
   std::vector<int> side_inside;  ///< of each loop edge
   double gap = 0;                ///< largest distance of a seam's point from one of the surfaces that should meet there

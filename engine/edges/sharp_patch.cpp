@@ -24,8 +24,9 @@ namespace {
 /// A neighborhood in sides leaves so much of the distance from one polynomial at most.
 constexpr double most_rms_ratio = 0.4;
 constexpr double most_misfit = 0.012, most_misfit_anywhere = 0.06;  ///< of the loop from the surfaces, diameters
-constexpr double most_rms_of_lone_side = 0.002;                     ///< diameters, where it is no plane
-constexpr double farthest_seam = 0.6;                               ///< from where the labels change, diameters
+constexpr double most_drawn_misfit = 0.05, most_drawn_misfit_anywhere = 0.2;  ///< where a person drew an edge
+constexpr double most_rms_of_lone_side = 0.002;                               ///< diameters, where it is no plane
+constexpr double farthest_seam = 0.6;  ///< from where the labels change, diameters
 /// Diameters of the loop: where an edge fades out farther off, its sides are one beyond that. The first that can be continued counts.
 constexpr std::array reaches = {1.0, 0.5, 0.25};
 constexpr double domain_triangles = 2500;
@@ -173,10 +174,10 @@ bool is_plain(const Patch& patch) {
   return true;
 }
 
-/// Those of a neighborhood of this reach; nothing where it has no sharp edges.
-std::optional<Sides> sharp_sides(const Patch& patch, double reach) {
-  std::optional<Sides> sides = find_sides(patch, 0, reach);
-  if (sides && sides->rms >= most_rms_ratio * sides->rms_of_one) sides.reset();
+/// Those of a neighborhood of this reach; nothing where it has no sharp edges, and none are drawn.
+std::optional<Sides> sharp_sides(const Patch& patch, double reach, const SideEdits& edits) {
+  std::optional<Sides> sides = find_sides(patch, 0, reach, edits);
+  if (sides && edits.drawn.empty() && sides->rms >= most_rms_ratio * sides->rms_of_one) sides.reset();
   return sides;
 }
 
@@ -231,8 +232,30 @@ std::optional<Meshed> mesh_parts(const Patch& initial, const Domain& domain, con
   return std::nullopt;
 }
 
-/// @param sides  of the neighborhood. @returns nothing where they do not fit the loop, or not each other.
-std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& sides, const CancelToken& cancel) {
+/// Loop edges on both sides of each seam that begins at a stopped place.
+std::vector<std::pair<int, int>> edges_to_join(const SeamLayout& layout, const Sides& sides,
+                                               const std::vector<int>& stopped) {
+  std::vector<std::pair<int, int>> edges;
+  const auto first_edge = [&](int side) {
+    return static_cast<int>(std::find(sides.of_edge.begin(), sides.of_edge.end(), side) - sides.of_edge.begin());
+  };
+  for (std::size_t k = 0; k < layout.seams.size(); ++k)
+    if (std::any_of(stopped.begin(), stopped.end(),
+                    [&](int place) { return layout.seams[k].front() == place || layout.seams[k].back() == place; }))
+      edges.emplace_back(first_edge(layout.sides_of_seam[k].first), first_edge(layout.sides_of_seam[k].second));
+  return edges;
+}
+
+/// How far the loop may be from the surfaces, diameters.
+struct Tolerance {
+  double rms = most_misfit, anywhere = most_misfit_anywhere;
+};
+
+/// @param sides  of the neighborhood. @param joined  takes up loop edges whose sides a stopped edge parts; the patch is then of no use.
+/// @returns nothing where the sides do not fit the loop, or not each other.
+std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& sides, const Tolerance& tolerance,
+                                         const std::vector<int>& stopped, std::vector<std::pair<int, int>>& joined,
+                                         const CancelToken& cancel) {
   const Domain domain = domain_of(initial);
   if (domain.loop != static_cast<int>(initial.loops[0].size())) return std::nullopt;
   const std::vector<int> labels = label_faces(domain, sides, cancel);
@@ -249,7 +272,7 @@ std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& side
   }
   SharpPatch result;
   result.misfit = std::sqrt(sum) / diameter;
-  if (result.misfit > most_misfit || largest > most_misfit_anywhere * diameter) return std::nullopt;
+  if (result.misfit > tolerance.rms || largest > tolerance.anywhere * diameter) return std::nullopt;
   std::set<int> used;
   for (const Part& part : meshed->layout.parts) used.insert(part.side);
   if (used.size() == 1 && !is_plain_side(sides.surfaces[*used.begin()], diameter)) return std::nullopt;
@@ -260,6 +283,7 @@ std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& side
     const int outside = sides.of_edge[i];
     result.creased.push_back(outside >= 0 && outside != meshed->layout.side_inside[i]);
   }
+  joined = edges_to_join(meshed->layout, sides, stopped);
   for (const Vec3& p : all.points) result.patch.points.push_back(initial.to_mesh(p));
   result.patch.triangles = std::move(all.triangles);
   return result;
@@ -269,14 +293,25 @@ std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& side
 
 bool ends_at_sharp_edges(const Patch& patch) {
   return patch.loops.size() == 1 &&
-         std::any_of(reaches.begin(), reaches.end(), [&](double reach) { return sharp_sides(patch, reach); });
+         std::any_of(reaches.begin(), reaches.end(), [&](double reach) { return sharp_sides(patch, reach, {}); });
 }
 
-std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel) {
+std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const LoopEdits& edits,
+                                               const CancelToken& cancel) {
   if (initial.loops.size() != 1 || !is_plain(initial)) return std::nullopt;
-  for (const double reach : reaches)
-    if (const std::optional<Sides> sides = sharp_sides(initial, reach))
-      if (std::optional<SharpPatch> patch = continue_sides(initial, *sides, cancel)) return patch;
+  Tolerance tolerance;
+  if (!edits.drawn.empty()) tolerance = {most_drawn_misfit, most_drawn_misfit_anywhere};
+  for (const double reach : reaches) {
+    SideEdits side_edits{edits.drawn, {}};
+    // Each round joins two sides at least.
+    while (const std::optional<Sides> sides = sharp_sides(initial, reach, side_edits)) {
+      std::vector<std::pair<int, int>> joined;
+      std::optional<SharpPatch> patch = continue_sides(initial, *sides, tolerance, edits.stopped, joined, cancel);
+      if (patch && joined.empty()) return patch;
+      if (joined.empty()) break;
+      side_edits.joined.insert(side_edits.joined.end(), joined.begin(), joined.end());
+    }
+  }
   return std::nullopt;
 }
 

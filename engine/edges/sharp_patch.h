@@ -7,6 +7,7 @@
 #include "mesh/patch.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -20,12 +21,21 @@ struct SharpPatch {
   double misfit = 0;          ///< rms distance of the loop from the continued surfaces, diameters
 };
 
+/// What a person says of the edges of one loop, by places on it.
+struct LoopEdits {
+  std::vector<std::pair<int, int>> drawn;  ///< ends of an edge, whatever the neighborhood shows
+  std::vector<int> stopped;                ///< where an edge ends that is not to run on
+
+  bool empty() const { return drawn.empty() && stopped.empty(); }
+};
+
 /// Parts the patch where the continued surfaces of two sides meet, meshes each part with the seams as edges, puts it onto its
 /// side's surface, and carries what the loop is off that surface into it.
-/// @param initial  patch of one loop
+/// @param initial  patch of one loop. @param edits  by hand. Between drawn edges and the sides beside them greater distances are
+/// allowed; a stopped edge joins the sides beside it.
 /// @returns nothing where no sharp edge runs on: one surface explains the neighborhood as well, the loop is off the surfaces, or
 /// the parts are no discs.
-std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const CancelToken& cancel);
+std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const LoopEdits& edits, const CancelToken& cancel);
 
 /// Whether sides with sharp edges between them explain the neighborhood of a patch of one loop: fast, and true where
 /// continue_sharp_edges() may still find nothing.

@@ -74,7 +74,7 @@ Eigen::Matrix3d axes_with(const Vec3& normal) {
 
 }  // namespace
 
-std::optional<SideSurface> SideSurface::fit(const Points& points, const Vec3& normal, double unit) {
+std::optional<SideSurface> SideSurface::fit(const Points& points, const Vec3& normal, double unit, Kinds kinds) {
   if (points.size() < 3) return std::nullopt;
   SideSurface surface;
   for (const Vec3& p : points) surface.origin_ += p / static_cast<double>(points.size());
@@ -84,7 +84,7 @@ std::optional<SideSurface> SideSurface::fit(const Points& points, const Vec3& no
   for (const Vec3& p : points) local.push_back(surface.local(p));
   double best = std::numeric_limits<double>::infinity();
   for (const Kind kind : {Kind::plane, Kind::quadratic, Kind::cubic}) surface.try_height_field(local, kind, best);
-  surface.try_quadric(local, best);
+  if (kinds == Kinds::all) surface.try_quadric(local, best);
   if (!std::isfinite(best)) return std::nullopt;
   return surface;
 }

@@ -16,10 +16,12 @@ namespace loopmend {
 class SideSurface {
  public:
   enum class Kind { plane, quadratic, cubic, quadric };
+  enum class Kinds { all, height_fields };
 
   /// @param normal  unit, of the side. @param unit  length that the fit is made in: about the extent of the hole
   /// @returns nothing for fewer than three points, or where all lie on one line.
-  static std::optional<SideSurface> fit(const Points& points, const Vec3& normal, double unit);
+  static std::optional<SideSurface> fit(const Points& points, const Vec3& normal, double unit,
+                                        Kinds kinds = Kinds::all);
 
   Kind kind() const { return kind_; }
   double rms() const { return rms_; }  ///< distance of the points, degrees of freedom taken off

@@ -19,6 +19,7 @@ constexpr double sharp_medians = 4;
 constexpr int small_group = 6;  ///< faces: such a group is noise, unless its faces are large
 constexpr std::size_t most_sides = 8;
 constexpr double least_coverage = 0.9;  ///< share of the loop's edges that belong to sides
+constexpr double drawn_loop_price = 100, drawn_edge_deg = 5;
 constexpr double steep = 0.45;  ///< cosine: faces that lean farther from their side's normal are left out of its fit
 constexpr double one_surface =
     1.3;                        ///< two sides are one where the common fit is no worse than so many times their own
@@ -111,9 +112,51 @@ FaceGroups group_faces(const Patch& patch, Triangles triangles) {
   return groups;
 }
 
+/// Of each loop edge, on which hand of the drawn lines it lies: equal numbers, the same.
+std::vector<int> hands_of(std::size_t edges, const std::vector<std::pair<int, int>>& drawn) {
+  std::map<std::vector<bool>, int> known;
+  std::vector<int> hands;
+  for (int e = 0; e < static_cast<int>(edges); ++e) {
+    std::vector<bool> between;
+    for (const auto& [a, b] : drawn) between.push_back(e >= std::min(a, b) && e < std::max(a, b));
+    hands.push_back(known.emplace(between, static_cast<int>(known.size())).first->second);
+  }
+  return hands;
+}
+
+/// Parts groups so that each face belongs to the hand of the loop edges that are nearest to it, counted in faces.
+void part_by_hand(const std::vector<int>& loop, const std::vector<int>& hands, FaceGroups& groups) {
+  std::map<std::pair<int, int>, std::vector<int>> faces_at;
+  const auto each_edge = [&](int f, const auto& act) {
+    const Triangle& t = groups.triangles[f];
+    for (int k = 0; k < 3; ++k) act(std::minmax(t[k], t[(k + 1) % 3]));
+  };
+  for (int f = 0; f < static_cast<int>(groups.triangles.size()); ++f)
+    each_edge(f, [&](const std::pair<int, int>& edge) { faces_at[edge].push_back(f); });
+  std::vector<int> hand(groups.triangles.size(), -1), reached;
+  const auto take = [&](const std::pair<int, int>& edge, int of) {
+    for (int f : faces_at[edge])
+      if (hand[f] < 0) {
+        hand[f] = of;
+        reached.push_back(f);
+      }
+  };
+  for (std::size_t i = 0; i < loop.size(); ++i) take(std::minmax(loop[i], loop[(i + 1) % loop.size()]), hands[i]);
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const int f = reached[next];
+    each_edge(f, [&](const std::pair<int, int>& edge) { take(edge, hand[f]); });
+  }
+  std::map<std::pair<int, int>, int> first;  // faces number groups
+  for (int f = 0; f < static_cast<int>(hand.size()); ++f) {
+    const std::pair key(groups.group[f], hand[f]);
+    groups.group[f] = first.emplace(key, f).first->second;
+  }
+}
+
 struct Side {
   std::set<int> vertices;
   Vec3 normal = Vec3::Zero();
+  int hand = 0;  ///< of the drawn lines
 };
 
 Points positions_of(const Patch& patch, const std::set<int>& vertices) {
@@ -141,18 +184,40 @@ Side side_of(const Patch& patch, const FaceGroups& groups, int group) {
   return side;
 }
 
-/// Joins sides whose faces lie on one surface, as those of a plane that the hole cuts in two.
-void join_sides_of_one_surface(const Patch& patch, double diameter, std::vector<Side>& sides,
-                               std::vector<SideSurface>& surfaces, std::vector<int>& side_of_group) {
+/// A surface over the sides on both hands of a drawn line, as a quadric can be over a rounded edge, is none of a side.
+void keep_apart(const Patch& patch, double diameter, const std::vector<Side>& sides,
+                std::vector<SideSurface>& surfaces) {
+  std::set<std::size_t> parted;
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size(); ++j) {
-      if (sides[i].normal.dot(sides[j].normal) < steep) continue;
+      if (sides[i].hand == sides[j].hand) continue;
+      std::set<int> both = sides[i].vertices;
+      both.insert(sides[j].vertices.begin(), sides[j].vertices.end());
+      const auto surface =
+          SideSurface::fit(positions_of(patch, both), (sides[i].normal + sides[j].normal).normalized(), diameter);
+      if (surface && surface->rms() <= one_surface * std::max(surfaces[i].rms(), surfaces[j].rms()) + exact * diameter)
+        parted.insert({i, j});
+    }
+  for (std::size_t i : parted)
+    if (const auto surface = SideSurface::fit(positions_of(patch, sides[i].vertices), sides[i].normal, diameter,
+                                              SideSurface::Kinds::height_fields))
+      surfaces[i] = *surface;
+}
+
+/// Joins sides whose faces lie on one surface, as those of a plane that the hole cuts in two, and those that `are_one`.
+void join_sides(const Patch& patch, double diameter, const auto& are_one, std::vector<Side>& sides,
+                std::vector<SideSurface>& surfaces, std::vector<int>& side_of_group) {
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; j < sides.size(); ++j) {
+      const bool asked_for = are_one(static_cast<int>(i), static_cast<int>(j));
+      if (!asked_for && (sides[i].hand != sides[j].hand || sides[i].normal.dot(sides[j].normal) < steep)) continue;
       Side both = sides[i];
       both.vertices.insert(sides[j].vertices.begin(), sides[j].vertices.end());
       both.normal = (sides[i].normal + sides[j].normal).normalized();
       const auto surface = SideSurface::fit(positions_of(patch, both.vertices), both.normal, diameter);
-      if (!surface || surface->rms() > one_surface * std::max(surfaces[i].rms(), surfaces[j].rms()) + exact * diameter)
-        continue;
+      if (!surface) continue;
+      const double most = one_surface * std::max(surfaces[i].rms(), surfaces[j].rms()) + exact * diameter;
+      if (!asked_for && surface->rms() > most) continue;
       sides[i] = both;
       surfaces[i] = *surface;
       sides.erase(sides.begin() + static_cast<long>(j));
@@ -165,12 +230,14 @@ void join_sides_of_one_surface(const Patch& patch, double diameter, std::vector<
 
 }  // namespace
 
-std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach) {
+std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach, const SideEdits& edits) {
   const std::vector<int>& loop = patch.loops[l];
   const double diameter = loop_diameter(patch, l);
   Triangles near = triangles_near(patch, loop, reach * diameter);
   if (!(diameter > 0) || near.size() < 3) return std::nullopt;
-  const FaceGroups groups = group_faces(patch, std::move(near));
+  FaceGroups groups = group_faces(patch, std::move(near));
+  const std::vector<int> hands = hands_of(loop.size(), edits.drawn);
+  if (!edits.drawn.empty()) part_by_hand(loop, hands, groups);
 
   Sides result;
   result.groups = static_cast<int>(std::set<int>(groups.group.begin(), groups.group.end()).size());
@@ -178,7 +245,7 @@ std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach)
   std::map<std::pair<int, int>, int> group_at;  // of directed edges
   for (std::size_t f = 0; f < groups.triangles.size(); ++f)
     for (int k = 0; k < 3; ++k) group_at[{groups.triangles[f][k], groups.triangles[f][(k + 1) % 3]}] = groups.group[f];
-  std::vector<int> numbers;  // groups at the loop
+  std::vector<int> numbers, hand_of_number;  // groups at the loop
   int covered = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const int a = loop[i], b = loop[(i + 1) % loop.size()];
@@ -188,21 +255,36 @@ std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach)
     if (found == group_at.end()) continue;
     const auto number = std::find(numbers.begin(), numbers.end(), found->second);
     result.of_edge.back() = static_cast<int>(number - numbers.begin());
-    if (number == numbers.end()) numbers.push_back(found->second);
+    if (number == numbers.end()) {
+      numbers.push_back(found->second);
+      hand_of_number.push_back(hands[i]);
+    }
     ++covered;
   }
   if (numbers.empty() || numbers.size() > most_sides || covered < least_coverage * static_cast<double>(loop.size()))
     return std::nullopt;
+  if (!edits.drawn.empty()) {  // it begins and ends where a person says, and may be faint
+    result.loop_price = drawn_loop_price;
+    result.seam_deg = drawn_edge_deg;
+  }
   std::vector<Side> sides;
   std::vector<int> side_of_number(numbers.size());
   std::iota(side_of_number.begin(), side_of_number.end(), 0);
-  for (int number : numbers) {
-    sides.push_back(side_of(patch, groups, number));
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    sides.push_back(side_of(patch, groups, numbers[k]));
+    sides.back().hand = hand_of_number[k];
     const auto surface = SideSurface::fit(positions_of(patch, sides.back().vertices), sides.back().normal, diameter);
     if (!surface) return std::nullopt;
     result.surfaces.push_back(*surface);
   }
-  join_sides_of_one_surface(patch, diameter, sides, result.surfaces, side_of_number);
+  const auto are_one = [&](int s, int t) {
+    return std::any_of(edits.joined.begin(), edits.joined.end(), [&](const std::pair<int, int>& edges) {
+      const int a = result.of_edge[edges.first], b = result.of_edge[edges.second];
+      return a >= 0 && b >= 0 && std::minmax(side_of_number[a], side_of_number[b]) == std::minmax(s, t);
+    });
+  };
+  keep_apart(patch, diameter, sides, result.surfaces);
+  join_sides(patch, diameter, are_one, sides, result.surfaces, side_of_number);
   for (int& s : result.of_edge)
     if (s >= 0) s = side_of_number[s];
 

@@ -4,6 +4,7 @@
 
 #include "core/cancel.h"
 #include "core/message.h"
+#include "evolution/edge_edits.h"
 #include "evolution/patch_status.h"
 #include "flows/flow_kind.h"
 #include "mesh/patch.h"
@@ -77,6 +78,7 @@ struct EvolutionOptions {
   /// Of holes, to the steady state: added when the patch is done (pipeline/patch_relief.h). An Evolution by itself has no use for it.
   ReliefChoice relief;
   SharpEdges edges = SharpEdges::continued;  ///< of holes, with `automatic` boundary (pipeline/candidates.h)
+  EdgeEdits edge_edits;                      ///< of these, by hand
 };
 
 /// @throws InvalidArgument if an option is out of range.

@@ -2,6 +2,7 @@
 #include "pipeline/candidates.h"
 
 #include "edges/sharp_patch.h"
+#include "pipeline/edge_preview.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/multi_start.h"
@@ -267,7 +268,9 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     mirrored = mirrored_patch(problem, options, cancel);
     if (is_filled(mirrored.status)) return mirrored;
   }
-  const std::vector<LoopEnd> ends = ends_of(problem);
+  const LoopEdits edits = edits_of(problem.scan.model, problem.initial, options.edge_edits);
+  // A loop with an edge across it is no flat cut.
+  const std::vector<LoopEnd> ends = edits.drawn.empty() ? ends_of(problem) : std::vector<LoopEnd>();
   const Judge judge = judge_for(problem, options, ends);
   Situation situation{{problem, nullptr, judge, on_step, cancel},
                       options,
@@ -278,7 +281,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       std::nullopt};
   if (is_judged(options)) {
     if (options.edges == SharpEdges::continued && problem.loops.size() == 1 && !situation.is_cut())
-      situation.sharp = continue_sharp_edges(problem.initial, cancel);
+      situation.sharp = continue_sharp_edges(problem.initial, edits, cancel);
     if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {
       const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {
@@ -298,6 +301,9 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   result.mirror = mirrored.mirror;
   result.attempts.insert(result.attempts.begin(), mirrored.attempts.begin(), mirrored.attempts.end());
   result.reason = joined(std::move(mirrored.reason), "; ", std::move(result.reason));
+  if (!edits.drawn.empty() && result.method != Method::sharp_edges)
+    result.reason = joined(say("no sharp edge fits where one was drawn: the surfaces beside it do not meet there"),
+                           "; ", std::move(result.reason));
   if (cancel.cancelled()) result.status = PatchStatus::cancelled;
   return result;
 }

@@ -4,6 +4,7 @@
 #include "core/threads.h"
 #include "edges/sharp_patch.h"
 #include "mesh/by_position.h"
+#include "pipeline/edge_preview.h"
 #include "pipeline/flat_cut.h"
 #include "pipeline/seconds_since.h"
 #include "split/split_estimate.h"
@@ -205,7 +206,8 @@ InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const
   return part;
 }
 
-std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges) {
+std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPatch& group,
+                                     const EvolutionOptions& options) {
   const auto treatment = [&](LoopsAlike& alike) {
     const std::vector<int>& members = alike.members;
     if (std::all_of(members.begin(), members.end(),
@@ -213,7 +215,8 @@ std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPat
       return Treatment::flat_cut;
     const std::optional<Patch> patch =
         joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);
-    if (!patch || (edges == SharpEdges::continued && ends_at_sharp_edges(*patch))) return Treatment::apart;
+    if (!patch || !edits_of(model, *patch, options.edge_edits).empty()) return Treatment::apart;
+    if (options.edges == SharpEdges::continued && ends_at_sharp_edges(*patch)) return Treatment::apart;
     alike.split = estimate_split(*patch);
     return alike.split->is_exact() ? Treatment::exact : Treatment::apart;
   };

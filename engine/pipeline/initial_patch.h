@@ -63,6 +63,7 @@ struct LoopsAlike {
 /// Parts a group into groups whose loops, each looked at alone, ask for the same treatment of the boundary data: one rough
 /// hole does not decide for its neighbors. Loops at which sharp edges end that run on are parts of their own.
 /// @param group  whose outcomes are known.
-std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPatch& group, SharpEdges edges);
+std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPatch& group,
+                                     const EvolutionOptions& options);
 
 }  // namespace loopmend

@@ -5,6 +5,7 @@
 #include "core/system_memory.h"
 #include "filling/bridge_loops.h"
 #include "neighborhood/trim_boundary.h"
+#include "pipeline/edge_preview.h"
 #include "pipeline/filling_view.h"
 
 #include <algorithm>
@@ -198,6 +199,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     plan.choices = choose_loops(plan.model, plan.loops, job.loops);
   }
   check_shapes(plan, job);
+  if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   leave_wide_cracks(plan, job);
   plan.to_trim = plan.chosen();
   if (job.prepare.trims()) trim(plan, job);

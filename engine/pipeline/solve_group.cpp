@@ -330,7 +330,7 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
   std::vector<InitialPatch> parts;
   if (options.evolution && is_judged(*options.evolution)) {
     try {
-      const std::vector<LoopsAlike> groups = groups_alike(scan.model, known, options.evolution->edges);
+      const std::vector<LoopsAlike> groups = groups_alike(scan.model, known, *options.evolution);
       if (groups.size() > 1)
         for (const LoopsAlike& group : groups) {
           parts.push_back(part_of(scan.model, known, group.members, options.initial));

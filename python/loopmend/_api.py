@@ -102,6 +102,8 @@ def fill(
     relief: Relief = "smooth",
     relief_seed: int = 1,
     edges: Edges = "auto",
+    drawn_edges: Sequence[Tuple[int, int]] = (),
+    stopped_edges: Sequence[int] = (),
     density: float = 1.0,
     mode: Mode = "steady",
     steps: Optional[int] = None,
@@ -156,6 +158,8 @@ def fill(
         relief_seed: 0 or more; another seed gives other relief of the same strength.
         edges: sharp edges that end at a hole, for "mmcvf": "auto" they run on across it where both sides say how, "round" one
             smooth patch.
+        drawn_edges: pairs of boundary vertices of one hole between which a sharp edge runs, whatever the surface around shows.
+        stopped_edges: boundary vertices; sharp edges that end there are not continued.
         density: vertices along a length, relative to the mesh around; 0.1 to 10.
         mode: "steady" goes straight to the steady state, "steps" takes the flow's own steps.
         steps: at most so many, 1 or more; None: 60.
@@ -211,6 +215,7 @@ def fill(
         "cut_intersections": cut_intersections, "cut_handles": cut_handles, "cut_no_data": cut_no_data,
         "base": None if base is None else f"{base[0]}:{base[1]}" if isinstance(base, tuple) else str(base),
         "bridges": [(int(a), int(b)) for a, b in bridges],
+        "drawn_edges": [(int(a), int(b)) for a, b in drawn_edges], "stopped_edges": [int(v) for v in stopped_edges],
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
         "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,
     }

@@ -86,6 +86,9 @@ FillOptions fill_options(const py::dict& options) {
   FillOptions fill;
   static_cast<GroupOptions&>(fill) = group_options(options);
   fill.threads = whole_number(options, "threads", 1024);
+  if (fill.evolution)
+    fill.evolution->edge_edits = {option<std::vector<std::pair<int, int>>>(options, "drawn_edges"),
+                                  option<std::vector<int>>(options, "stopped_edges")};
   fill.islands = named(options, "islands", islands_names);
   if (option<bool>(options, "mirror")) fill.mirror = FillOptions::Mirror::find;
   if (!options["mirror_plane"].is_none()) {

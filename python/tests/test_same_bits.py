@@ -146,3 +146,22 @@ def test_a_tiny_handle(program, tmp_path):
     assert all(hole.is_filled for hole in result.holes)
     used, edges = np.unique(result.faces).size, len(result.faces) * 3 // 2
     assert used - edges + len(result.faces) == 2  # a sphere again
+
+
+def test_a_drawn_edge(program, tmp_path):
+    """A roof with a bend of 20°, less than what counts as sharp."""
+    n = 25
+    x, y = np.meshgrid(np.linspace(-1, 1, n), np.linspace(-1, 1, n))
+    vertices = np.column_stack([x.ravel(), y.ravel(), -np.tan(np.radians(10)) * abs(x.ravel())])
+    corner = np.array([row * n + column for row in range(n - 1) for column in range(n - 1)])
+    faces = np.concatenate([np.column_stack([corner, corner + 1, corner + n + 1]),
+                            np.column_stack([corner, corner + n + 1, corner + n])]).astype(np.int32)
+    vertices, faces = without(vertices, faces, lambda v: np.hypot(v[:, 0], v[:, 1]) < 0.4)
+    loopmend.write(tmp_path / "roof.ply", vertices, faces)
+    (hole,) = [loop for loop in loopmend.boundary_loops(vertices, faces) if loop.kind == "hole"]
+    ends = [int(min(hole.vertices, key=lambda v: np.linalg.norm(vertices[v] - (0, side, 0)))) for side in (-1, 1)]
+    result = check_same(program, tmp_path, tmp_path / "roof.ply", ["--draw-edge", f"{ends[0]},{ends[1]}"],
+                        {"drawn_edges": [tuple(ends)]})
+    new = np.asarray(result.vertices)[len(vertices):]
+    assert abs(new[:, 2] + np.tan(np.radians(10)) * abs(new[:, 0])).max() < 1e-9
+    check_same(program, tmp_path, tmp_path / "roof.ply", ["--stop-edge", str(ends[0])], {"stopped_edges": [ends[0]]})

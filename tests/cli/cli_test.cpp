@@ -265,6 +265,9 @@ TEST_F(Cli, OptionsWithoutEffectAreRefused) {
     EXPECT_THAT(run.err, HasSubstr("has no effect with --flow")) << words;
   }
   EXPECT_EQ(loopmend_program(fill + "--boundary exact --continuity tangent").code, 0);
+  for (const char* words : {"--stop-edge 1 --edges round", "--draw-edge 1,5 --flow wf",
+                            "--draw-edge 1,5 --boundary exact", "--draw-edge 1", "--stop-edge one"})
+    EXPECT_EQ(loopmend_program(fill + words).code, 2) << words;
   for (const char* words : {"--mirror-plane 0,0,0,1,0", "--mirror-plane 0,0,0,0,0,0", "--mirror-plane 0,0,0,1,0,0,0",
                             "--mirror --mirror-plane 0,0,0,1,0,0"})
     EXPECT_EQ(loopmend_program(fill + words).code, 2) << words;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edges/sharp_patch.h"
 
+#include "core/error.h"
 #include "core/random.h"
 #include "filling/loop_patch.h"
 #include "mesh/boundary_loops.h"
+#include "pipeline/edge_preview.h"
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
 #include "support/sharp_surfaces.h"
@@ -136,6 +138,74 @@ TEST(SharpEdges, NoiseOfAScanKeepsTheEdge) {
     EXPECT_EQ(filled.patch().made_by, "sharp edges") << noise;
     EXPECT_LT(filled.farthest(off_cube), 6 * noise);
   }
+}
+
+/// The soup point of a hole's boundary that is nearest to a place.
+int boundary_point(const TriangleSoup& scan, const Vec3& place) {
+  const SurfaceModel model = make_surface_model(scan);
+  int best = -1;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    for (int v : loop.vertices) {
+      const int point = model.soup_vertex[static_cast<std::size_t>(v)];
+      const auto distance = [&](int p) { return (scan.points[static_cast<std::size_t>(p)] - place).norm(); };
+      if (best < 0 || distance(point) < distance(best)) best = point;
+    }
+  return best;
+}
+
+/// The ridge of a roof with a bend of 20°, less than what counts as sharp by itself.
+TEST(SharpEdges, AnEdgeThatIsDrawnRunsAcross) {
+  const auto height = [](double x, double) { return -std::tan(10 * std::numbers::pi / 180) * std::abs(x); };
+  const TriangleSoup scan = without_ball(make_graph(height, 2, 96), Vec3::Zero(), 0.3);
+  const auto rms = [&](const EdgeEdits& edits) {
+    SurfaceModel model = make_surface_model(scan);
+    FillOptions options;
+    options.evolution->edge_edits = edits;
+    const std::vector<HoleResult> holes = fill_all_holes(model, options);
+    EXPECT_EQ(holes.front().outcome().made_by == "sharp edges", !edits.empty());
+    double sum = 0;
+    for (std::size_t i = scan.points.size(); i < model.soup.points.size(); ++i)
+      sum += std::pow(model.soup.points[i].z() - height(model.soup.points[i].x(), model.soup.points[i].y()), 2);
+    return std::sqrt(sum / static_cast<double>(model.soup.points.size() - scan.points.size()));
+  };
+  const EdgeEdits drawn{{{boundary_point(scan, {0, -0.3, 0}), boundary_point(scan, {0, 0.3, 0})}}, {}};
+  EXPECT_LT(rms(drawn), 1e-9);
+  EXPECT_GT(rms({}), 1e-3);
+}
+
+TEST(SharpEdges, AnEdgeThatIsStoppedIsRounded) {
+  const TriangleSoup scan = without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2);
+  FillOptions options;
+  options.evolution->edge_edits.stopped = {boundary_point(scan, {1, 1, 0.3})};
+  EXPECT_THAT(fill(scan, options).patch().attempts, Not(Contains("sharp edges")));
+  options.evolution->edge_edits.stopped = {boundary_point(scan, {1, 0.8, 0.5})};  // where no edge ends
+  EXPECT_EQ(fill(scan, options).patch().made_by, "sharp edges");
+}
+
+TEST(SharpEdges, AreKnownBeforeTheHoleIsFilled) {
+  const TriangleSoup scan = without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2);
+  const SurfaceModel model = make_surface_model(scan);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(loops.size(), 1U);
+  const std::vector<ContinuedEdge> edges = continued_edges(model, loops[0], {}, 1, {});
+  ASSERT_EQ(edges.size(), 1U);
+  for (const Vec3& p : edges[0].line) EXPECT_LT((p.head<2>() - Eigen::Vector2d(1, 1)).norm(), 1e-9);
+  EXPECT_EQ(std::minmax(edges[0].begin, edges[0].end),
+            std::minmax(boundary_point(scan, {1, 1, 0.3}), boundary_point(scan, {1, 1, 0.7})));
+  EXPECT_TRUE(continued_edges(model, loops[0], {{}, {edges[0].begin}}, 1, {}).empty());
+}
+
+TEST(SharpEdges, DrawnEdgesJoinTwoPlacesOfOneHole) {
+  TriangleSoup scan = without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2);
+  scan = without_ball(scan, {0, 0, 0.5}, 0.2);
+  const SurfaceModel model = make_surface_model(scan);
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(loops.size(), 2U);
+  const int first = boundary_point(scan, {1, 1, 0.3}), second = boundary_point(scan, {0, 0, 0.3});
+  EXPECT_NO_THROW(check(EdgeEdits{{{first, boundary_point(scan, {1, 1, 0.7})}}, {}}, model, loops));
+  EXPECT_THROW(check(EdgeEdits{{{first, second}}, {}}, model, loops), InvalidArgument);
+  EXPECT_THROW(check(EdgeEdits{{{first, first}}, {}}, model, loops), InvalidArgument);
+  EXPECT_THROW(check(EdgeEdits{{}, {-1}}, model, loops), InvalidArgument);
 }
 
 TEST(SharpEdges, AreRoundWhereAPersonWantsThatSo) {
