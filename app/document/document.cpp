@@ -136,6 +136,7 @@ void Document::clear() {
   scan_of_loop_.clear();
   origin_ = Vec3::Zero();
   units_.clear();
+  edge_edits_.clear();
   patches_.clear();
   index_patches();
   running_.clear();
@@ -155,6 +156,18 @@ std::string Document::unit() const {
   const std::string first = unit(indices.front());
   const bool agree = std::all_of(indices.begin(), indices.end(), [&](int scan) { return unit(scan) == first; });
   return agree ? first : std::string();
+}
+
+const EdgeEdits& Document::edge_edits(int scan) const {
+  static const EdgeEdits none;
+  const auto found = edge_edits_.find(scan);
+  return found == edge_edits_.end() ? none : found->second;
+}
+
+void Document::set_edge_edits(int scan, EdgeEdits edits) {
+  if (edge_edits(scan) == edits) return;
+  edge_edits_[scan] = std::move(edits);
+  Q_EMIT edge_edits_changed();
 }
 
 void Document::set_chosen_units(const std::map<int, std::string>& units) {

@@ -100,6 +100,10 @@ class Document : public QObject {
   const std::map<int, std::string>& chosen_units() const { return units_; }
   void set_chosen_units(const std::map<int, std::string>& units);
 
+  /// What a person says of sharp edges across the holes of a scan; of the scan as it is, not kept in sessions.
+  const EdgeEdits& edge_edits(int scan) const;
+  void set_edge_edits(int scan, EdgeEdits edits);
+
   int next_patch_id() { return next_id_++; }
   /// Patches by these ids go, those in `now` come or are shown anew.
   void replace(const std::vector<int>& gone, const std::vector<OpenPatch>& now);
@@ -120,6 +124,7 @@ class Document : public QObject {
   void running_changed();  ///< which patches is_running() names
   void timeline_changed(int id);
   void units_changed();
+  void edge_edits_changed();
   void holes_changed();  ///< some hole's state() or message() is another, or what is fillable()
 
  private:
@@ -138,6 +143,7 @@ class Document : public QObject {
   std::set<int> running_;
   std::map<int, Message> failures_;
   std::map<int, std::string> units_;
+  std::map<int, EdgeEdits> edge_edits_;
   OuterRims outer_rims_ = OuterRims::leave;
   int next_id_ = 1;
 };

@@ -63,7 +63,7 @@ bool BridgeTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
   hovered_ = points_.nearest(space, at_, bridge_reach);
   longer_ = event.modifiers().testFlag(Qt::ControlModifier);
   const auto seat = [this](int i) { return seats_[static_cast<std::size_t>(i)]; };
-  if (purpose_ == Purpose::fill_part && begun_ >= 0 && hovered_ >= 0 && seat(begun_).loop != seat(hovered_).loop)
+  if (purpose_ != Purpose::bridge && begun_ >= 0 && hovered_ >= 0 && seat(begun_).loop != seat(hovered_).loop)
     hovered_ = -1;
   if (act != Act::press) return act == Act::hover;
   if (event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier)) return false;
@@ -78,10 +78,12 @@ bool BridgeTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
   const std::vector<int> chosen = part();
   const int beside = chosen.empty() ? -1 : seats_[static_cast<std::size_t>(chosen[chosen.size() / 2])].soup_point;
   clear();
-  if (purpose_ == Purpose::fill_part) {
-    if (beside >= 0) Q_EMIT part_wanted(first.scan, first.soup_point, second.soup_point, beside);
-  } else if (!(first == second))
-    Q_EMIT bridge_wanted(first.scan, first.soup_point, second.soup_point);
+  if (first == second) return true;
+  switch (purpose_) {
+    case Purpose::bridge: Q_EMIT bridge_wanted(first.scan, first.soup_point, second.soup_point); break;
+    case Purpose::fill_part: Q_EMIT part_wanted(first.scan, first.soup_point, second.soup_point, beside); break;
+    case Purpose::edge: Q_EMIT edge_wanted(first.scan, first.soup_point, second.soup_point); break;
+  }
   return true;
 }
 

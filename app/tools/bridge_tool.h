@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Picks the two boundary vertices between which a bridge is laid, or a part of a hole is filled.
+// Picks the two boundary vertices between which a bridge is laid, a part of a hole is filled, or an edge runs.
 #pragma once
 
 #include "document/scene_visibility.h"
@@ -18,12 +18,14 @@ class BridgeTool : public QObject, public ViewTool {
   enum class Purpose {
     bridge,
     fill_part,  ///< both on one loop; the shorter part of it is filled, with Ctrl the longer one
+    edge,       ///< both on one loop
   };
   void set_purpose(Purpose purpose);
 
   /// The soup point of the first of the two vertices; −1 while none is picked.
   int begun_point() const { return begun_ < 0 ? -1 : seats_[static_cast<std::size_t>(begun_)].soup_point; }
   bool is_begun() const { return begun_point() >= 0; }
+  bool is_hovering() const { return hovered_ >= 0; }
   void clear();
 
   bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) override;
@@ -34,6 +36,7 @@ class BridgeTool : public QObject, public ViewTool {
  Q_SIGNALS:
   void changed();
   void bridge_wanted(int scan, int soup_a, int soup_b);
+  void edge_wanted(int scan, int soup_a, int soup_b);
   /// @param beside  soup point, in the middle of the part that is to be filled
   void part_wanted(int scan, int soup_a, int soup_b, int beside);
 

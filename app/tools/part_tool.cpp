@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/part_tool.h"
 
+#include "tools/screen_points.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -38,12 +40,6 @@ QPointF logical(const Eigen::Vector3d& pixel, const ViewSpace& space) {
 }
 
 double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
-
-double distance(const QPointF& p, const QPointF& a, const QPointF& b) {
-  const QPointF d = b - a;
-  const double t = std::clamp(QPointF::dotProduct(p - a, d) / std::max(1e-9, QPointF::dotProduct(d, d)), 0.0, 1.0);
-  return distance(p, a + t * d);
-}
 
 /// What lies under a place of the screen, as deep as `like`.
 Eigen::Vector3d lifted(const QPointF& at, const Eigen::Vector3d& like, const ViewSpace& space) {
@@ -109,7 +105,7 @@ QPointF PartTool::grip(Handle handle, const ViewSpace& space) const {
     for (const QPointF& p : line) {
       double nearest = 1e9;
       for (Handle other : {Handle::move_x, Handle::move_y, Handle::move_z})
-        nearest = std::min(nearest, distance(p, at, grip(other, space)));
+        nearest = std::min(nearest, distance_to_segment(p, at, grip(other, space)));
       for (int k = 0; k < 3; ++k)
         if (k != axis)
           for (const QPointF& q : ring(k, space)) nearest = std::min(nearest, distance(p, q));
@@ -132,14 +128,14 @@ PartTool::Handle PartTool::handle_at(const QPointF& at, const ViewSpace& space) 
   const std::array<Handle, 3> moves{Handle::move_x, Handle::move_y, Handle::move_z},
       turns{Handle::turn_x, Handle::turn_y, Handle::turn_z};
   for (int axis = 0; axis < 3; ++axis) {
-    const double d = distance(at, m, grip(moves[static_cast<std::size_t>(axis)], space));
+    const double d = distance_to_segment(at, m, grip(moves[static_cast<std::size_t>(axis)], space));
     if (d < best_distance) {
       best_distance = d;
       best = moves[static_cast<std::size_t>(axis)];
     }
     const std::vector<QPointF> line = ring(axis, space);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const double r = distance(at, line[i], line[i + 1]);
+      const double r = distance_to_segment(at, line[i], line[i + 1]);
       if (r >= best_distance) continue;
       best_distance = r;
       best = turns[static_cast<std::size_t>(axis)];

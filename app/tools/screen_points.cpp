@@ -7,6 +7,13 @@
 
 namespace loopmend {
 
+double distance_to_segment(const QPointF& p, const QPointF& a, const QPointF& b) {
+  const QPointF d = b - a;
+  const double t = std::clamp(QPointF::dotProduct(p - a, d) / std::max(1e-9, QPointF::dotProduct(d, d)), 0.0, 1.0);
+  const QPointF off = p - (a + t * d);
+  return std::hypot(off.x(), off.y());
+}
+
 void ScreenPoints::set_points(std::vector<float> xyz, std::vector<char> unseen) {
   xyz_ = std::move(xyz);
   unseen_ = std::move(unseen);

@@ -10,6 +10,9 @@
 
 namespace loopmend {
 
+/// Of p from the segment ab, pixels.
+double distance_to_segment(const QPointF& p, const QPointF& a, const QPointF& b);
+
 class ScreenPoints {
  public:
   /// @param xyz       3 × #V, in the scene's frame

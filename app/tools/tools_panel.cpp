@@ -23,8 +23,8 @@ QGroupBox* group(const QString& title, QWidget* content) {
 
 }  // namespace
 
-ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, MeasureBox* measure, ProblemBox* trial,
-                       QWidget* parent)
+ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MeasureBox* measure,
+                       ProblemBox* trial, QWidget* parent)
     : QScrollArea(parent),
       trial_(trial) {
   setObjectName(QStringLiteral("toolsPanel"));
@@ -50,12 +50,15 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Me
          Tool::bridge);
   choice("toolFillPart", tr("Fill part"), tr("Fill a part of a hole, between two of its vertices (Shift+G)"),
          Tool::fill_part);
+  choice("toolEdges", tr("Edges"), tr("See, remove or draw the sharp edges that run on across holes (Shift+E)"),
+         Tool::edges);
   choice("toolMeasure", tr("Distance"), tr("The distance between two vertices (D)"), Tool::measure);
   auto* none = make_note("toolsHint");
   none->setText(tr(
       "Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
       "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Fill part closes "
-      "a hole between two of its vertices; Distance measures between two vertices."));
+      "a hole between two of its vertices; Edges shows where sharp edges run on; Distance measures between two "
+      "vertices."));
   none->setAlignment(Qt::AlignTop);
   auto* bridge = make_note("bridgeHint");
   bridge->setText(
@@ -73,6 +76,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Me
             group(tr("Join boundaries"), blend),
             group(tr("Bridge"), bridge),
             group(tr("Fill a part of a hole"), fill_part),
+            group(tr("Sharp edges across holes"), edges),
             group(tr("Distance"), measure)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -84,7 +88,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Me
   layout->addStretch(1);
   setWidget(content);
   int widest = 0;
-  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, measure, trial})
+  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, edges, measure, trial})
     widest = std::max(widest, part->minimumSizeHint().width());
   constexpr int frames = 46;  // of the boxes, and the dock's own margins
   setMinimumWidth(widest + frames);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tools/blend_box.h"
+#include "tools/edges_box.h"
 #include "tools/measure_box.h"
 #include "tools/points_box.h"
 #include "tools/problem_box.h"
@@ -14,7 +15,7 @@ class QPushButton;
 
 namespace loopmend {
 
-enum class Tool { none, region, points, blend, bridge, fill_part, measure };
+enum class Tool { none, region, points, blend, bridge, fill_part, edges, measure };
 /// Whether what it makes is tried out before it is accepted.
 constexpr bool makes_surfaces(Tool tool) { return tool == Tool::region || tool == Tool::points || tool == Tool::blend; }
 
@@ -22,8 +23,8 @@ class ToolsPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, MeasureBox* measure, ProblemBox* trial,
-             QWidget* parent = nullptr);
+  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MeasureBox* measure,
+             ProblemBox* trial, QWidget* parent = nullptr);
 
   Tool tool() const { return tool_; }
   void choose(Tool tool);

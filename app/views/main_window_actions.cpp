@@ -137,6 +137,7 @@ void MainWindow::connect_patch_actions() {
                                    {"toolBlendAction", Tool::blend},
                                    {"toolBridgeAction", Tool::bridge},
                                    {"toolFillPartAction", Tool::fill_part},
+                                   {"toolEdgesAction", Tool::edges},
                                    {"toolMeasureAction", Tool::measure}})
     a.on(name, this, [this, wanted = tool] {
       findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
@@ -177,6 +178,7 @@ void MainWindow::update_actions() {
                            "toolBlendAction",
                            "toolBridgeAction",
                            "toolFillPartAction",
+                           "toolEdgesAction",
                            "toolMeasureAction",
                            "clip",
                            "screenshot",

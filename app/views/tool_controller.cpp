@@ -29,13 +29,16 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
             return found ? std::optional(found->at) : std::nullopt;
           },
           this)),
+      edge_guide_(new EdgeGuide(document, selection, this)),
+      edges_(new EdgesTool(document, visibility, *edge_guide_, this)),
       trial_(new ProblemController(document, controller, this)),
       place_(new PlacePart(document, controller, this)),
       points_box_(new PointsBox(document, *points_)),
       blend_box_(new BlendBox(document, selection, *part_)),
       trial_box_(new ProblemBox(*trial_)),
       region_box_(new RegionBox(*region_)),
-      panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new MeasureBox(document, *measure_), trial_box_)) {
+      panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new EdgesBox(*edge_guide_),
+                            new MeasureBox(document, *measure_), trial_box_)) {
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
     give_up_trial();
@@ -52,6 +55,7 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
   connect(blend_box_, &BlendBox::select_facing_wanted, this, &ToolController::select_facing);
   connect(bridge_, &BridgeTool::changed, &view_, &MeshView::update_tool);
   connect(measure_, &MeasureTool::changed, &view_, &MeshView::update_tool);
+  connect(edges_, &EdgesTool::changed, &view_, &MeshView::update_tool);
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
     connect(&document_, signal, measure_, &MeasureTool::clear);
   connect(bridge_, &BridgeTool::bridge_wanted, &controller, &FillController::bridge);
@@ -95,7 +99,9 @@ void ToolController::on_tool(Tool tool) {
   give_up_trial();
   if (tool != Tool::blend) part_->set_scan(-1);
   bridge_->clear();
+  edges_->clear();
   measure_->clear();
+  edge_guide_->watch(tool == Tool::edges ? EdgeGuide::Watch::open_holes : EdgeGuide::Watch::nothing);
   switch (tool) {
     case Tool::none: view_.set_tool(nullptr); break;
     case Tool::region: view_.set_tool(region_); break;
@@ -106,6 +112,7 @@ void ToolController::on_tool(Tool tool) {
       bridge_->set_purpose(tool == Tool::bridge ? BridgeTool::Purpose::bridge : BridgeTool::Purpose::fill_part);
       view_.set_tool(bridge_);
       break;
+    case Tool::edges: view_.set_tool(edges_); break;
     case Tool::measure: view_.set_tool(measure_); break;
   }
   show_region();
@@ -120,6 +127,8 @@ bool ToolController::step_back() {
     trial_->discard();
   } else if (bridge_->is_begun()) {
     bridge_->clear();
+  } else if (edges_->is_begun()) {
+    edges_->clear();
   } else if (measure_->is_begun()) {
     measure_->clear();
   } else if (panel_->tool() != Tool::none) {
@@ -143,6 +152,7 @@ void ToolController::update_wanting() {
     case Tool::none:
     case Tool::bridge:
     case Tool::fill_part:
+    case Tool::edges:
     case Tool::measure: break;
     case Tool::region: words = region_->count() > 0 ? QString() : tr("Paint a region first."); break;
     case Tool::points: words = points_box_->wanting(); break;
@@ -173,6 +183,7 @@ ProblemRequest ToolController::request() const {
     case Tool::none:
     case Tool::bridge:
     case Tool::fill_part:
+    case Tool::edges:
     case Tool::measure: break;
     case Tool::region: return region_request();
     case Tool::points: return points_request();
@@ -292,8 +303,8 @@ void ToolController::on_placed(int old_scan, int new_scan) {
 }
 
 bool ToolController::shut_down(std::chrono::milliseconds at_most) {
-  const bool tried = trial_->shut_down(at_most);
-  return place_->shut_down(at_most) && tried;
+  const bool tried = trial_->shut_down(at_most), looked = edge_guide_->shut_down(at_most);
+  return place_->shut_down(at_most) && tried && looked;
 }
 
 }  // namespace loopmend

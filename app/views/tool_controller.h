@@ -2,9 +2,11 @@
 // Region, points, blend: wires the tools in hand, the box they end in, and the picture.
 #pragma once
 
+#include "jobs/edge_guide.h"
 #include "jobs/place_part.h"
 #include "jobs/problem_controller.h"
 #include "tools/bridge_tool.h"
+#include "tools/edges_tool.h"
 #include "tools/measure_tool.h"
 #include "tools/tools_panel.h"
 
@@ -28,6 +30,8 @@ class ToolController : public QObject {
   PartTool& part() { return *part_; }
   BridgeTool& bridge() { return *bridge_; }
   MeasureTool& measure() { return *measure_; }
+  EdgesTool& edges() { return *edges_; }
+  EdgeGuide& edge_guide() { return *edge_guide_; }
 
   void take(Tool tool);
   /// As the buttons do.
@@ -72,6 +76,8 @@ class ToolController : public QObject {
   PartTool* part_;
   BridgeTool* bridge_;
   MeasureTool* measure_;
+  EdgeGuide* edge_guide_;
+  EdgesTool* edges_;
   ProblemController* trial_;
   PlacePart* place_;
   PointsBox* points_box_;

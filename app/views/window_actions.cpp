@@ -170,6 +170,9 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Part the boundary at vertices that it passes twice: what hangs there becomes an island"),
      "", nullptr},
+    {"toolEdgesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Sharp &edges\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See, remove or draw the sharp edges that run on across holes"),
+     "Shift+E", nullptr},
     {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
     {"candidatesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Other patches\u2026"),
@@ -309,7 +312,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                           "-",
                           "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
-                          "toolFillPartAction", "-", "toolMeasureAction"});
+                          "toolFillPartAction", "toolEdgesAction", "-", "toolMeasureAction"});
   add_menu(tr("&Help"), {"help", "palette", "shortcuts", "-", "about"});
 }
 
