@@ -106,9 +106,9 @@ FilmedFill filmed_fill(const SurfaceModel& model, const BoundaryLoop& loop, cons
   if (!initial.patch) refuse(initial.message());
   FilmRecording recording(scene_origin(model.soup), command.flow);
   recording.begin(*initial.patch);
-  const GroupResult group =
-      solve_group(scan, initial, options,
-                  [&](const Evolution& evolution, const StepRecord& record) { recording.step(evolution, record); }, {});
+  SolveObserver observer;
+  observer.on_step = [&](const Evolution& evolution, const StepRecord& record) { recording.step(evolution, record); };
+  const GroupResult group = solve_group(scan, initial, options, observer, {});
   if (group.patches.empty()) refuse(group.holes.front().message);
   recording.end(*group.patches.front());
   return {recording.states(), method_name(*group.patches.front())};

@@ -13,8 +13,23 @@
 namespace loopmend {
 namespace {
 
+/// Those at boundary vertices of these loops.
+EdgeEdits own_edits(const EdgeEdits& edits, const OpenedScan& scan, const std::vector<BoundaryLoop>& loops) {
+  const auto is_own = [&](int point) {
+    return std::any_of(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
+      return std::any_of(loop.vertices.begin(), loop.vertices.end(),
+                         [&](int v) { return scan.model->soup_vertex[static_cast<std::size_t>(v)] == point; });
+    });
+  };
+  EdgeEdits own = edits;
+  std::erase_if(own.drawn, [&](const auto& ends) { return !is_own(ends.first); });
+  std::erase_if(own.stopped, [&](int point) { return !is_own(point); });
+  return own;
+}
+
 /// The options of `loopmend fill` for a recipe; only the last run where there are several.
-QString options_of(const PatchRecipe& recipe) {
+/// @param loops  of its patch
+QString options_of(const PatchRecipe& recipe, const OpenedScan& scan, const std::vector<BoundaryLoop>& loops) {
   QString text;
   if (recipe.density != 1) text += QStringLiteral(" --density ") + shell::exact(recipe.density);
   if (recipe.runs.empty()) return text + QStringLiteral(" --flow none");
@@ -23,7 +38,7 @@ QString options_of(const PatchRecipe& recipe) {
   if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + shell::exact(run.sigma);
   if (run.mode == EvolutionMode::steady)
     text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief) +
-            shell::edges_option(run.edges);
+            shell::edges_options(run.edges, own_edits(run.edge_edits, scan, loops));
   if (run.mirror == RunRecipe::Mirror::found) text += QStringLiteral(" --mirror");
   if (run.mode == EvolutionMode::steps || run.end == RunRecipe::End::after_steps)
     text += QStringLiteral(" --steps ") + QString::number(run.steps);
@@ -53,8 +68,11 @@ class ScanCommands {
 
   void add(const OpenPatch& patch, QStringList& remarks) {
     const PatchRecipe& recipe = patch.state->recipe;
-    QString options = options_of(recipe);
-    if (recipe.start == PatchRecipe::Start::holes && covers_islands(patch))
+    std::vector<BoundaryLoop> own_loops;
+    for (int loop : patch.loops) own_loops.push_back(document_.loop(loop));
+    QString options = options_of(recipe, scan_, own_loops);
+    // The command joins islands where it is not asked for something else.
+    if (recipe.start == PatchRecipe::Start::holes && !holes_with_islands(*scan_.model, own_loops).empty())
       options += QStringLiteral(" --islands cover");
     auto& loops = by_options_[options];
     loops.insert(patch.loops.begin(), patch.loops.end());
@@ -98,13 +116,6 @@ class ScanCommands {
   }
 
  private:
-  /// Whether the command, which joins islands, would do something else at one of the loops.
-  bool covers_islands(const OpenPatch& patch) const {
-    std::vector<BoundaryLoop> loops;
-    for (int loop : patch.loops) loops.push_back(document_.loop(loop));
-    return !holes_with_islands(*scan_.model, loops).empty();
-  }
-
   QString by_number(const std::set<int>& loops) const {
     bool all = true;
     for (int loop = document_.first_loop_of(index_); loop < document_.loop_count(); ++loop) {

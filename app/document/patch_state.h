@@ -23,6 +23,7 @@ struct RunRecipe {
   SeamContinuity continuity = SeamContinuity::curvature;  ///< likewise
   ReliefChoice relief;                                    ///< likewise
   SharpEdges edges = SharpEdges::continued;               ///< likewise
+  EdgeEdits edge_edits;                                   ///< likewise
   enum class Mirror {
     none,
     found,                  ///< the mirror image in a plane of symmetry that was looked for
@@ -44,6 +45,7 @@ inline RunRecipe recipe_of(const EvolutionOptions& options) {
   run.boundary = options.boundary;
   run.continuity = options.continuity;
   run.edges = options.edges;
+  if (is_judged(options) && options.edges == SharpEdges::continued) run.edge_edits = options.edge_edits;
   if (options.mode == EvolutionMode::steady) run.relief = options.relief;
   return run;
 }

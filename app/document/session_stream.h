@@ -35,6 +35,10 @@ class SessionWriter {
     put(static_cast<quint64>(values.size()));
     raw(values.data(), values.size() * sizeof(int));
   }
+  void put(const std::vector<double>& values) {
+    put(static_cast<quint64>(values.size()));
+    raw(values.data(), values.size() * sizeof(double));
+  }
   void put(const Points& values) {
     put(static_cast<quint64>(values.size()));
     raw(values.data(), values.size() * sizeof(Vec3));
@@ -90,6 +94,13 @@ class SessionReader {
     const auto n = number<quint64>();
     if (n > static_cast<quint64>(in_.device()->bytesAvailable()) / bytes_each) fail(say("the file ends too early"));
     return static_cast<int>(n);
+  }
+  /// An enumerator up to `last`.
+  template <class E>
+  E word(E last) {
+    const auto value = number<qint32>();
+    if (value < 0 || value > static_cast<qint32>(last)) fail(say("a word is not known"));
+    return static_cast<E>(value);
   }
   bool at_end() const { return in_.atEnd(); }
 

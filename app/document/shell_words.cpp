@@ -22,8 +22,13 @@ QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity) {
   return text;
 }
 
-QString edges_option(SharpEdges edges) {
-  return edges == SharpEdges::rounded ? QStringLiteral(" --edges round") : QString();
+QString edges_options(SharpEdges edges, const EdgeEdits& edits) {
+  QString text = edges == SharpEdges::rounded ? QStringLiteral(" --edges round") : QString();
+  for (const auto& [a, b] : edits.drawn) text += QStringLiteral(" --draw-edge %1,%2").arg(a).arg(b);
+  QStringList stopped;
+  for (int vertex : edits.stopped) stopped << QString::number(vertex);
+  if (!stopped.isEmpty()) text += QStringLiteral(" --stop-edge ") + stopped.join(QLatin1Char(','));
+  return text;
 }
 
 QString relief_options(const ReliefChoice& relief) {

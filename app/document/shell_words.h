@@ -23,7 +23,7 @@ QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity);
 /// Of `fill`; empty for a smooth patch.
 QString relief_options(const ReliefChoice& relief);
 /// Of `fill`; empty where sharp edges run on.
-QString edges_option(SharpEdges edges);
+QString edges_options(SharpEdges edges, const EdgeEdits& edits);
 /// Where a scan's file is; a name to be written to first where it has none.
 QString file_of(const OpenedScan& scan, const QString& made = QStringLiteral("surface.ply"));
 /// In the same folder, under the same name with something appended: "scan.ply", "-filled.ply" make "scan-filled.ply".

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/candidate_jobs.h"
 
-#include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "document/timeline.h"
-#include "filling/bridge_loops.h"
 #include "jobs/state_making.h"
-#include "jobs/steady_run.h"
-#include "pipeline/blend.h"
+#include "pipeline/fill_holes.h"
 
 #include <algorithm>
 
@@ -28,36 +25,23 @@ RunRecipe run_of(CandidateKind kind, const PatchRecipe& now) {
   return run;
 }
 
-GroupOptions options_for(const CandidateTask& task, const RunRecipe& run, const CancelToken& cancel) {
-  EvolutionOptions evolution;
-  evolution.boundary = run.boundary;
-  evolution.continuity = run.continuity;
-  evolution.edges = run.edges;
-  evolution.relief = run.relief;
-  GroupOptions options{InitialPatchOptions{task.patch.state->recipe.density}, evolution};
+FillOptions options_for(const CandidateTask& task, const RunRecipe& run, const CancelToken& cancel) {
+  const PatchRecipe& recipe = task.patch.state->recipe;
+  FillOptions options;
+  options.initial.density = recipe.density;
+  options.evolution->boundary = run.boundary;
+  options.evolution->continuity = run.continuity;
+  options.evolution->edges = run.edges;
+  options.evolution->relief = run.relief;
+  if (recipe.start == PatchRecipe::Start::holes) options.islands = FillOptions::Islands::cover;
   if (run.mirror == RunRecipe::Mirror::found)
     options.mirror_planes = task.mirror_planes->of(task.scan_context->model(), cancel);
   return options;
 }
 
-/// The same calls as those of fill_holes().
-GroupResult solve_as(const CandidateTask& task, const GroupOptions& options, const CancelToken& cancel) {
-  const ScanIndex& scan = task.scan_context->index();
-  if (task.patch.state->recipe.start == PatchRecipe::Start::bridge) {
-    const BridgeOutcome outcome = bridge_loops(scan.model, task.loops, options.initial, cancel);
-    if (!outcome.bridge) throw InvalidArgument(outcome.message);
-    GroupResult group;
-    group.patches.push_back(
-        std::make_shared<const PatchResult>(solve_bridge(scan, *outcome.bridge, options.evolution, nullptr, cancel)));
-    return group;
-  }
-  return solve_group(scan, make_surveyed_patch(scan.model, task.loops, options.initial, cancel), options, nullptr,
-                     cancel);
-}
-
 /// @param result  of some of the task's loops
 OpenPatch open_patch(const CandidateTask& task, const PatchResult& result, const RunRecipe& run) {
-  const PatchState& first = *task.patch.timeline->front();
+  const PatchStatePtr& first = task.patch.timeline->front();
   OpenPatch open;
   open.scan = task.patch.scan;
   for (std::size_t k = 0; k < task.loops.size(); ++k) {
@@ -65,24 +49,12 @@ OpenPatch open_patch(const CandidateTask& task, const PatchResult& result, const
     if (std::find(numbers.begin(), numbers.end(), task.loops[k].number) != numbers.end())
       open.loops.push_back(task.patch.loops[k]);
   }
-  auto state = std::make_shared<PatchState>();
-  static_cast<PatchResult&>(*state) = result;
-  state->history.clear();
-  state->message = message_of(result);
-  state->shape = std::make_shared<SurfaceShape>(
-      shape_of(result.patch, curvature_field(result.patch), task.origin, task.scan_context->colors()));
-  show_deviation(*state);
-  const bool whole = result.patch.loop_numbers == first.patch.loop_numbers;
-  state->boundary = whole ? first.boundary : boundary_knowledge(result.patch);
-  state->recipe.density = task.patch.state->recipe.density;
-  state->recipe.start = task.patch.state->recipe.start;
-  state->recipe.runs = {run};
-  state->recipe.runs.back().steps = result.steps;
-  if (!result.history.empty()) state->last_step = result.history.back();
-  if (state->seams_before.size() != state->seams.size()) state->seams_before = state->seams;
-  open.state = std::move(state);
-  open.timeline =
-      std::make_shared<Timeline>(whole ? Timeline{task.patch.timeline->front(), open.state} : Timeline{open.state});
+  const auto state = with_result(*first, result, run, task.origin);
+  state->recipe = {task.patch.state->recipe.density, task.patch.state->recipe.start, {state->recipe.runs.back()}};
+  state->steps = result.steps;
+  open.state = state;
+  const bool whole = result.patch.loop_numbers == first->patch.loop_numbers;
+  open.timeline = std::make_shared<Timeline>(whole ? Timeline{first, open.state} : Timeline{open.state});
   return open;
 }
 
@@ -104,7 +76,8 @@ std::vector<MirrorPlane> MirrorPlanes::of(const SurfaceModel& model, const Cance
 std::optional<CandidateKind> kind_of(const PatchRecipe& recipe) {
   if (recipe.runs.size() != 1) return std::nullopt;
   const RunRecipe& run = recipe.runs.front();
-  if (run.flow != FlowKind::mmcvf || run.mode != EvolutionMode::steady || run.end != RunRecipe::End::whole)
+  if (run.flow != FlowKind::mmcvf || run.mode != EvolutionMode::steady || run.end != RunRecipe::End::whole ||
+      !run.edge_edits.empty())
     return std::nullopt;
   for (const CandidateKind kind :
        {CandidateKind::automatic, CandidateKind::tangent, CandidateKind::flat, CandidateKind::robust,
@@ -136,19 +109,25 @@ Candidate make_candidate(const CandidateTask& task, CandidateKind kind, const Ca
   candidate.kind = kind;
   const RunRecipe run = run_of(kind, task.patch.state->recipe);
   try {
-    const GroupOptions options = options_for(task, run, cancel);
+    const FillOptions options = options_for(task, run, cancel);
     if (cancel.cancelled()) return candidate;
-    const GroupResult group = solve_as(task, options, cancel);
+    SolveObserver observer;
+    observer.on_done = [](const GroupResult&) {};  // a flow may go on from the patch
+    const std::vector<GroupResult> groups =
+        solve_holes(task.scan_context->index(), {task.loops}, options, observer, nullptr, cancel);
     if (cancel.cancelled()) return candidate;
-    for (const HoleResult& hole : group.holes)
-      if (!hole.patch) candidate.why_not = hole.message;
-    for (const auto& result : group.patches) {
-      if (!is_filled(result->status)) candidate.why_not = result->message;
-      if (kind == CandidateKind::mirror && result->method != Method::mirror_image)
-        candidate.why_not = message_of(notice_on(result->mirror));
+    for (const GroupResult& group : groups) {
+      for (const HoleResult& hole : group.holes)
+        if (!hole.patch) candidate.why_not = hole.message;
+      for (const auto& result : group.patches) {
+        if (!is_filled(result->status)) candidate.why_not = result->message;
+        if (kind == CandidateKind::mirror && result->method != Method::mirror_image)
+          candidate.why_not = message_of(notice_on(result->mirror));
+      }
     }
     if (!candidate.why_not.empty()) return candidate;
-    for (const auto& result : group.patches) candidate.patches.push_back(open_patch(task, *result, run));
+    for (const GroupResult& group : groups)
+      for (const auto& result : group.patches) candidate.patches.push_back(open_patch(task, *result, run));
   } catch (const std::exception& error) {
     candidate.why_not = message_of(error);
   }

@@ -138,6 +138,7 @@ void EdgeGuide::follow() {
 void EdgeGuide::draw(int scan, int soup_a, int soup_b) {
   EdgeEdits edits = document_.edge_edits(scan);
   edits.drawn.emplace_back(soup_a, soup_b);
+  std::erase_if(edits.stopped, [&](int point) { return point == soup_a || point == soup_b; });
   try {
     std::vector<BoundaryLoop> loops;
     for (int loop = 0; loop < document_.loop_count(); ++loop)

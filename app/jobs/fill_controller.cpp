@@ -5,22 +5,14 @@
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/message_words.h"
-#include "document/run_curves.h"
-#include "document/timeline.h"
 #include "jobs/state_making.h"
 
+#include <QTimer>
+
 #include <algorithm>
+#include <tuple>
 
 namespace loopmend {
-namespace {
-
-std::set<int> loops_of(const std::vector<OpenPatch>& patches) {
-  std::set<int> loops;
-  for (const OpenPatch& patch : patches) loops.insert(patch.loops.begin(), patch.loops.end());
-  return loops;
-}
-
-}  // namespace
 
 FillController::FillController(Document& document, UndoHistory& undo, QObject* parent)
     : QObject(parent),
@@ -73,91 +65,146 @@ void FillController::push(std::vector<PatchChange::Pair> pairs, const QString& t
   if (!pairs.empty()) undo_.push(std::make_unique<PatchChange>(document_, std::move(pairs), text, joining));
 }
 
-std::vector<FillTask> FillController::fill_tasks(const std::set<int>& loops, const FillChoice& choice) {
-  std::map<int, FillTask> by_scan;
-  for (int loop : loops) {
-    if (document_.patch_of(loop) || !document_.present(loop)) continue;
-    const int scan = document_.scan_of(loop);
-    by_scan[scan].wanted.emplace(loop, document_.loop(loop));
-  }
-  std::vector<FillTask> tasks;
-  for (auto& [scan, task] : by_scan) {
-    task.scan = scan;
-    task.scan_context = context_of(scan);
-    task.options.initial.density = choice.density;
-    task.options.islands = choice.islands;
-    task.first_loop = document_.first_loop_of(scan);
-    task.origin = document_.origin();
-    for (const OpenPatch& patch : document_.patches()) {
-      if (patch.scan != scan) continue;
-      const bool may_change =
-          patch.acceptance == Acceptance::pending && patch.state->recipe.start == PatchRecipe::Start::holes;
-      for (int loop : patch.loops)
-        if (may_change)
-          task.filled.emplace(loop, document_.loop(loop));
-        else
-          task.taken.insert(loop);
-    }
-    tasks.push_back(std::move(task));
-  }
-  return tasks;
-}
-
-void FillController::fill(const std::set<int>& loops, const FillChoice& choice) {
-  start_fill(loops, choice, std::nullopt);
-}
+void FillController::fill(const std::set<int>& loops, const FillChoice& choice) { start_fill({loops, choice}); }
 
 void FillController::fill_and_smooth(const std::set<int>& loops, const std::set<int>& patch_ids,
                                      const FillChoice& choice, const EvolutionOptions& options) {
-  loops.empty() ? evolve(patch_ids, options, Pace::steady) : start_fill(loops, choice, Smoothing{patch_ids, options});
+  start_fill({loops, choice, patch_ids, options});
 }
 
-void FillController::start_fill(const std::set<int>& loops, const FillChoice& choice,
-                                const std::optional<Smoothing>& then) {
+void FillController::add_other_patches(int scan, FillTask& task) const {
+  const bool is_new = std::none_of(task.wanted.begin(), task.wanted.end(),
+                                   [this](const auto& entry) { return document_.patch_of(entry.first); });
+  for (const OpenPatch& patch : document_.patches()) {
+    if (patch.scan != scan || task.wanted.contains(patch.loops.front())) continue;
+    const bool may_change =
+        is_new && patch.acceptance == Acceptance::pending && patch.state->recipe.start == PatchRecipe::Start::holes;
+    for (int loop : patch.loops)
+      if (may_change)
+        task.filled.emplace(loop, document_.loop(loop));
+      else
+        task.closed.insert(document_.loop(loop).number);
+  }
+}
+
+FillRun FillController::fill_run(FillRequest& request) {
+  std::erase_if(request.loops, [this](int loop) { return document_.patch_of(loop) || !document_.present(loop); });
+  std::erase_if(request.patch_ids, [this](int id) {
+    const OpenPatch* patch = document_.patch(id);
+    return !patch || patch->acceptance == Acceptance::accepted;
+  });
+  FillOptions options;
+  options.evolution = request.flow;
+  if (options.evolution) options.evolution->mode = EvolutionMode::steady;
+  std::map<int, FillTask> new_loops;                                        // by scan
+  std::map<std::tuple<int, double, FillOptions::Islands>, FillTask> again;  // and options
+  const auto prepare = [&](FillTask& task, int scan, double density, FillOptions::Islands islands) -> FillTask& {
+    task.scan_context = context_of(scan);
+    task.first_loop = document_.first_loop_of(scan);
+    task.options = options;
+    if (task.options.evolution) task.options.evolution->edge_edits = document_.edge_edits(scan);
+    task.options.initial.density = density;
+    task.options.islands = islands;
+    return task;
+  };
+  for (int loop : request.loops) {
+    const int scan = document_.scan_of(loop);
+    prepare(new_loops[scan], scan, request.choice.density, request.choice.islands)
+        .wanted.emplace(loop, document_.loop(loop));
+  }
+  for (int id : request.patch_ids) {
+    const OpenPatch& patch = *document_.patch(id);
+    const PatchRecipe& recipe = patch.state->recipe;
+    const auto islands =
+        recipe.start == PatchRecipe::Start::bridge ? FillOptions::Islands::join : FillOptions::Islands::cover;
+    FillTask& task = prepare(again[{patch.scan, recipe.density, islands}], patch.scan, recipe.density, islands);
+    std::vector<BoundaryLoop> loops;
+    for (int loop : patch.loops) loops.push_back(document_.loop(loop));
+    if (!recipe.runs.empty()) {
+      task.moved.emplace_back(patch.state, std::move(loops));
+      continue;
+    }
+    for (std::size_t k = 0; k < loops.size(); ++k) task.wanted.emplace(patch.loops[k], loops[k]);
+  }
+  FillRun run;
+  run.pace = request.pace;
+  run.patches = static_cast<int>(request.patch_ids.size());
+  run.origin = document_.origin();
+  for (auto& [scan, task] : new_loops) {
+    add_other_patches(scan, task);
+    run.tasks.push_back(std::move(task));
+  }
+  for (auto& [key, task] : again) {
+    add_other_patches(std::get<int>(key), task);
+    run.tasks.push_back(std::move(task));
+  }
+  return run;
+}
+
+void FillController::start_fill(FillRequest request) {
   if (busy()) return;
-  const std::vector<FillTask> tasks = fill_tasks(loops, choice);
-  std::set<int> wanted;
-  for (const FillTask& task : tasks)
-    for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
-  if (wanted.empty()) return;
+  FillRun run = fill_run(request);
+  const int total = run.loops();
+  if (total == 0) return;
+  std::set<int> loops = request.loops;
+  for (int id : request.patch_ids) loops.merge(loops_of(*document_.patch(id)));
+  const QString where = labels::holes(document_, loops);
   const auto ready = preview_;
-  const JobPtr job = begin(Activity::filling, tr("Filling %1").arg(labels::holes(document_, wanted)));
-  if (ready && ready->loops == wanted && ready->choice == choice) {
-    on_filled(ready->result, wanted, then);
+  const JobPtr job = [&] {
+    if (!request.flow) {
+      run_name_ = tr("Fill %1").arg(where);
+      return begin_run(Activity::filling, tr("Filling %1").arg(where), loops, request.joining);
+    }
+    run_name_ = request.loops.empty() ? tr("%1 on %2").arg(labels::flow_name(request.flow->flow), where)
+                                      : tr("Fill and smooth %1").arg(where);
+    return begin_run(request.pace == Pace::watched ? Activity::running : Activity::solving, run_name_, loops,
+                     request.joining);
+  }();
+  announced_later_ = request.loops;
+  if (request.flow) sessions_.clear();
+  if (!request.flow && ready && ready->loops == loops && ready->choice == request.choice) {
+    run_->place(ready->runs);
+    on_run_ended(ready->outcome);
     return;
   }
-  const int total = static_cast<int>(wanted.size());
+  if (total > 1)
+    run.progress = [this, job](int done, int all) {
+      job->post([this, done, all] { Q_EMIT progress_changed(done, all); });
+    };
+  std::function<void()> wake;  // where no flow follows, all appear at once
+  if (request.flow)
+    wake = [this, job, wait = total > most_live ? 1000 : 0] {
+      job->post([this, job, wait] {
+        QTimer::singleShot(wait, this, [this, job] {
+          if (job == job_) take_records();
+        });
+      });
+    };
+  recorder_ = std::make_shared<RunRecorder>(std::move(wake));
   tasks_.run(
-      job,
-      [this, job, tasks, total] {
-        return make_initial_patches(
-            tasks, [&](int done) { job->post([this, done, total] { Q_EMIT progress_changed(done, total); }); },
-            job->token());
-      },
-      [this, wanted, then](FillResult result) { on_filled(std::move(result), wanted, then); },
-      [this](const QString& text) { give_up(text); });
+      job, [job, run = std::move(run), recorder = recorder_] { return fill_patches(run, *recorder, *job); },
+      [this](const FillOutcome& outcome) { on_run_ended(outcome); },
+      [this](const QString& text) {
+        on_run_ended({});
+        report_failure(text);
+      });
 }
 
 void FillController::preview_fill(const std::set<int>& loops, const FillChoice& choice) {
   if (busy()) return;
   drop_fill_preview();
-  const std::vector<FillTask> tasks = fill_tasks(loops, choice);
-  std::set<int> wanted;
-  for (const FillTask& task : tasks)
-    for (const auto& [loop, geometry] : task.wanted) wanted.insert(loop);
-  if (wanted.empty()) return;
+  FillRequest request{loops, choice};
+  FillRun run = fill_run(request);
+  if (run.loops() == 0) return;
   preview_job_ = std::make_shared<Job>(this);
   const JobPtr job = preview_job_;
+  const auto recorder = std::make_shared<RunRecorder>(nullptr);
   tasks_.run(
-      job,
-      [job, tasks] {
-        return make_initial_patches(
-            tasks, [](int) {}, job->token());
-      },
-      [this, wanted, choice](FillResult result) {
+      job, [job, run = std::move(run), recorder] { return fill_patches(run, *recorder, *job); },
+      [this, request, recorder](const FillOutcome& outcome) {
+        preview_ = std::make_shared<FillPreview>(FillPreview{request.loops, request.choice, recorder->take(), outcome});
         std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
-        for (const OpenPatch& patch : result.patches) ghosts.push_back(patch.state->shape);
-        preview_ = std::make_shared<FillPreview>(FillPreview{wanted, choice, std::move(result)});
+        for (const auto& [where, run_there] : preview_->runs) ghosts.push_back(run_there.steps.back()->shape);
         Q_EMIT ghosts_changed(ghosts);
       },
       [](const QString&) {});  // Fill will say it in words
@@ -170,54 +217,29 @@ void FillController::drop_fill_preview() {
   Q_EMIT ghosts_changed({});
 }
 
-void FillController::on_filled(FillResult result, const std::set<int>& wanted, const std::optional<Smoothing>& then) {
-  const qint64 milliseconds = clock_.elapsed();
-  end();
-  std::vector<PatchChange::Pair> pairs;
-  std::set<int> refilled;
-  std::size_t triangles = 0;
-  for (OpenPatch& patch : result.patches) {
-    for (int loop : patch.loops)
-      if (const OpenPatch* old = document_.patch_of(loop); old && refilled.insert(old->id).second)
-        pairs.push_back({*old, std::nullopt});
-    patch.id = document_.next_patch_id();
-    triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
-    pairs.push_back({std::nullopt, patch});
-  }
-  document_.forget_failures(wanted);
-  document_.add_failures(result.failures);
-  const std::set<int> done = loops_of(result.patches);
-  if (!done.empty()) {
-    const QString name = labels::holes(document_, done);
-    push(std::move(pairs), tr("Fill %1").arg(name), then ? then->joining : PatchChange::Joining::none);
-    Q_EMIT logged(
-        tr("Filled %1 with %2 triangles in %3 s.").arg(name, labels::count(triangles), labels::seconds(milliseconds)));
-  }
-  if (!refilled.empty())
-    Q_EMIT logged(tr("Some of these holes lie so close to filled ones that both were filled anew, as one."));
-  say_fill_outcome(result, wanted);
-  if (!done.empty()) Q_EMIT filled(done);
-  if (!then) return;
-  std::set<int> to_smooth = then->patch_ids;
-  for (int loop : done)
-    if (const OpenPatch* patch = document_.patch_of(loop)) to_smooth.insert(patch->id);
-  start_flow(to_smooth, then->options, Pace::steady,
-             done.empty() ? PatchChange::Joining::none : PatchChange::Joining::previous);
-}
-
-void FillController::say_fill_outcome(const FillResult& result, const std::set<int>& wanted) {
+void FillController::say_outcome(const FillOutcome& outcome) {
   constexpr std::size_t most_lines = 20;
   std::size_t lines = 0;
-  for (const auto& [loop, remark] : result.remarks)
+  for (const auto& [loop, remark] : outcome.remarks)
     if (lines++ < most_lines)
       Q_EMIT logged(tr("Hole %1: %2").arg(labels::hole_name(document_, loop), labels::in_words(remark)));
-  for (const auto& [loop, why] : result.failures)
+  std::set<QString> of_patches;
+  std::map<int, Message> open;
+  for (const auto& [loop, why] : outcome.failures)
+    if (document_.patch_of(loop))
+      of_patches.insert(labels::in_words(why));
+    else
+      open.emplace(loop, why);
+  for (const QString& words : of_patches) report_failure(words);
+  document_.forget_failures(run_loops_);
+  document_.add_failures(open);
+  for (const auto& [loop, why] : open)
     if (lines++ < 2 * most_lines)
       Q_EMIT logged(tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), labels::in_words(why)));
-  if (!result.failures.empty())
+  if (!open.empty())
     Q_EMIT failed(tr("%L1 of %L2 holes could not be filled. The State column says why, and what may help.")
-                      .arg(result.failures.size())
-                      .arg(wanted.size()));
+                      .arg(open.size())
+                      .arg(run_loops_.size()));
 }
 
 void FillController::adopt(OpenPatch patch) {
@@ -249,7 +271,7 @@ void FillController::on_judged(OpenPatch patch, PatchStatePtr state) {
   const QString what =
       tr("%1 on %2").arg(labels::flow_name(patch.state->flow), labels::holes(document_, loops_of(patch)));
   document_.forget_failures(loops_of(patch));
-  Q_EMIT logged(run_words(patch, patch));
+  Q_EMIT logged(run_words(nullptr, patch));
   pairs.push_back({std::nullopt, std::move(patch)});
   push(std::move(pairs), what);
 }

@@ -5,11 +5,11 @@
 #include "document/document.h"
 #include "document/session.h"
 #include "document/undo_history.h"
-#include "jobs/evolve_patches.h"
+#include "jobs/document_run.h"
 #include "jobs/export_scene.h"
-#include "jobs/initial_patches.h"
+#include "jobs/fill_run.h"
 #include "jobs/load_scan.h"
-#include "jobs/run_recorder.h"
+#include "jobs/step_patches.h"
 #include "jobs/task_runner.h"
 #include "repair/repair_surface.h"
 
@@ -167,17 +167,25 @@ class FillController : public QObject {
   struct FillPreview {
     std::set<int> loops;
     FillChoice choice;
-    FillResult result;
+    PatchRuns runs;
+    FillOutcome outcome;
   };
-  /// What follows a fill.
-  struct Smoothing {
-    std::set<int> patch_ids;  ///< besides those that the fill makes
-    EvolutionOptions options;
-    PatchChange::Joining joining = PatchChange::Joining::none;  ///< of the fill to the change before it
+  /// Loops to be filled and, where there is a flow, patches that it takes to the steady state with them.
+  struct FillRequest {
+    std::set<int> loops;
+    FillChoice choice{};
+    std::set<int> patch_ids{};
+    std::optional<EvolutionOptions> flow{};
+    Pace pace = Pace::steady;
+    PatchChange::Joining joining = PatchChange::Joining::none;
   };
 
-  void start_fill(const std::set<int>& loops, const FillChoice& choice, const std::optional<Smoothing>& then);
-  void start_flow(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace, PatchChange::Joining joining);
+  /// Leaves what cannot be filled, or moved, out of the request.
+  FillRun fill_run(FillRequest& request);
+  void add_other_patches(int scan, FillTask& task) const;
+  void start_fill(FillRequest request);
+  void start_steps(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace);
+  JobPtr begin_run(Activity activity, const QString& stage, const std::set<int>& loops, PatchChange::Joining joining);
   JobPtr begin(Activity activity, const QString& stage);
   void end();
   void report_failure(const QString& words);
@@ -196,18 +204,15 @@ class FillController : public QObject {
   void cancel_curvature();
   Restored restore(const SessionFile& file, const JobPtr& job) const;
   void on_restored(Restored restored, const QString& path, const QString& shown_as);
-  std::vector<FillTask> fill_tasks(const std::set<int>& loops, const FillChoice& choice);
   void on_judged(OpenPatch patch, PatchStatePtr state);
   void on_exported(const ExportResult& result, const QString& path, ExportContent content);
-  void on_filled(FillResult result, const std::set<int>& wanted, const std::optional<Smoothing>& then);
-  void say_fill_outcome(const FillResult& result, const std::set<int>& wanted);
+  void show_running();
   void take_records();
-  void divide(int patch_id, const std::vector<OpenPatch>& parts);
-  /// Of patches none of whose parts has moved.
-  void take_back_divisions(const EvolveResult& result);
-  void on_evolved(const EvolveResult& result, RunEnd how);
-  void record_run(const EvolveResult& result);
-  QString run_words(const OpenPatch& before, const OpenPatch& now) const;
+  void on_run_ended(const FillOutcome& outcome);
+  void say_outcome(const FillOutcome& outcome);
+  void record_run();
+  void log_run(const std::vector<PatchChange::Pair>& changes);
+  QString run_words(const PatchState* before, const OpenPatch& now) const;
   void push(std::vector<PatchChange::Pair> pairs, const QString& text,
             PatchChange::Joining joining = PatchChange::Joining::none);
 
@@ -223,14 +228,11 @@ class FillController : public QObject {
   std::shared_ptr<FillPreview> preview_;
   QElapsedTimer clock_;
   std::shared_ptr<RunRecorder> recorder_;
+  std::optional<DocumentRun> run_;
+  std::set<int> run_loops_,
+      announced_later_;  ///< of the present run; of these, new ones whose patches are not there yet
   std::map<int, EvolutionSession> sessions_;
   std::map<int, ScanContextPtr> scan_contexts_;
-  std::map<int, OpenPatch> run_start_;  ///< patches of the present run
-  struct Division {
-    OpenPatch whole;
-    std::set<int> parts;  ///< in its place: ids
-  };
-  std::vector<Division> divisions_;  ///< made by the present run
   std::map<int, OpenPatch> scrub_start_;
   QString run_name_;
   PatchChange::Joining run_joining_ = PatchChange::Joining::none;

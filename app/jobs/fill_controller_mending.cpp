@@ -112,7 +112,7 @@ void FillController::on_mended(const std::vector<MendedScan>& all, Mending what,
         tr("No hole was made that could be filled: what was erased lay at an outer rim, or was a whole piece."));
     return;
   }
-  start_fill(to_fill, then->choice, Smoothing{{}, then->options, PatchChange::Joining::previous});
+  start_fill({to_fill, then->choice, {}, then->options, Pace::steady, PatchChange::Joining::previous});
 }
 
 void FillController::choose_unit(const std::string& unit) {

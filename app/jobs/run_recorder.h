@@ -14,64 +14,70 @@
 
 namespace loopmend {
 
+/// What a run has made of one patch.
+struct PatchRun {
+  PatchStatePtr first;               ///< before any flow; null where the document has it, or nobody asked
+  std::vector<PatchStatePtr> steps;  ///< of the last attempt, from there on
+};
+using PatchRuns = std::map<std::set<int>, PatchRun>;  ///< by loops, as indices in the document
+
 class RunRecorder {
  public:
   /// @param wake  called on the worker's thread when nothing was waiting before; should queue one call of take().
   explicit RunRecorder(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-  void record(int patch_id, PatchStatePtr state) {
-    put([&] { runs_[patch_id].push_back(std::move(state)); }, patch_id);
+  /// A patch for these loops, in place of others for any of them.
+  void start(const std::set<int>& loops, PatchStatePtr first) {
+    put(loops, [&](PatchRun& run) { run = {std::move(first), {}}; });
+  }
+  void record(const std::set<int>& loops, PatchStatePtr state) {
+    put(loops, [&](PatchRun& run) { run.steps.push_back(std::move(state)); });
   }
   /// The run starts again from where it began; what was recorded is thrown away.
-  void restart(int patch_id) {
+  void restart(const std::set<int>& loops) {
     const std::lock_guard lock(mutex_);
-    runs_[patch_id].clear();
+    runs_[loops].steps.clear();
   }
   /// The last state comes again with other words.
-  void amend(int patch_id, PatchStatePtr state) {
-    put(
-        [&] {
-          auto& run = runs_[patch_id];
-          if (!run.empty()) run.pop_back();
-          run.push_back(std::move(state));
-        },
-        patch_id);
+  void amend(const std::set<int>& loops, PatchStatePtr state) {
+    put(loops, [&](PatchRun& run) {
+      if (!run.steps.empty()) run.steps.pop_back();
+      run.steps.push_back(std::move(state));
+    });
   }
 
-  /// The run goes on with these patches in place of one.
-  void divide(int patch_id, std::vector<OpenPatch> parts) {
-    put([&] { divisions_[patch_id] = std::move(parts); }, patch_id);
-  }
-
-  struct News {
-    std::map<int, std::vector<OpenPatch>> divisions;   ///< since the last time; come before the states of their parts
-    std::map<int, std::vector<PatchStatePtr>> states;  ///< all of this run, of every patch that has a new one
-  };
-  News take() {
+  /// Of every patch that has a new state, all of this run.
+  PatchRuns take() {
     const std::lock_guard lock(mutex_);
-    News news;
-    news.divisions = std::exchange(divisions_, {});
-    for (int id : fresh_) news.states[id] = runs_[id];
+    PatchRuns news;
+    for (const std::set<int>& loops : fresh_) news[loops] = runs_[loops];
     fresh_.clear();
     return news;
   }
 
  private:
   template <class Act>
-  void put(const Act& act, int patch_id) {
+  void put(const std::set<int>& loops, const Act& act) {
     std::unique_lock lock(mutex_);
     const bool was_empty = fresh_.empty();
-    act();
-    fresh_.insert(patch_id);
+    for (int loop : loops) {
+      std::set<int>& before = patch_of_[loop];
+      if (before == loops) continue;
+      runs_.erase(before);
+      fresh_.erase(before);
+      before = loops;
+    }
+    act(runs_[loops]);
+    fresh_.insert(loops);
     lock.unlock();
-    if (was_empty) wake_();
+    if (was_empty && wake_) wake_();
   }
 
   std::function<void()> wake_;
   std::mutex mutex_;
-  std::map<int, std::vector<PatchStatePtr>> runs_;
-  std::map<int, std::vector<OpenPatch>> divisions_;
-  std::set<int> fresh_;
+  PatchRuns runs_;
+  std::map<int, std::set<int>> patch_of_;  ///< of each loop
+  std::set<std::set<int>> fresh_;
 };
 
 }  // namespace loopmend

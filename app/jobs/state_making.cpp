@@ -13,17 +13,54 @@ std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch) 
   return boundary;
 }
 
-PatchStatePtr first_state(Patch patch, const Message& message, double density, const Vec3& origin,
-                          const std::shared_ptr<const std::vector<Color>>& scan_colors) {
+Message message_of(const PatchResult& result) {
+  Message method;
+  switch (result.method) {
+    case Method::robust_fairing: method = say("robust fairing in place of the flow"); break;
+    case Method::sharp_edges: method = say("sharp edges continued in place of the flow"); break;
+    case Method::linear_fairing: method = say("linear fairing in place of the flow"); break;
+    case Method::split_flow:
+      if (result.reason.empty()) method = say("the flow on the smooth surface under the scan");
+      break;
+    case Method::mixed_order: method = say("the flow with bending energy mixed in"); break;
+    case Method::initial_patch:
+    case Method::mirror_image:
+    case Method::flow: break;
+  }
+  return joined(std::move(method), ": ", joined(result.reason, "; ", result.message));
+}
+
+std::shared_ptr<PatchState> first_state(const Patch& patch, const PatchRecipe& recipe, const Vec3& origin,
+                                        const std::shared_ptr<const std::vector<Color>>& scan_colors) {
   auto state = std::make_shared<PatchState>();
   state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, scan_colors));
   state->seams = seam_reports(patch);
   state->seams_before = state->seams;
   state->status = PatchStatus::filled;
   state->boundary = boundary_knowledge(patch);
-  state->message = message;
-  state->recipe.density = density;
-  state->patch = std::move(patch);
+  state->recipe = recipe;
+  state->patch = patch;
+  return state;
+}
+
+std::shared_ptr<PatchState> with_result(const PatchState& from, const PatchResult& result, RunRecipe run,
+                                        const Vec3& origin) {
+  auto state = std::make_shared<PatchState>();
+  static_cast<PatchResult&>(*state) = result;
+  state->history.clear();
+  state->message = message_of(result);
+  state->shape = std::make_shared<SurfaceShape>(
+      shape_of(result.patch, curvature_field(result.patch), origin, from.shape->scan_colors));
+  show_deviation(*state);
+  const bool same_holes = result.patch.loop_numbers == from.patch.loop_numbers;
+  state->boundary = same_holes ? from.boundary : boundary_knowledge(result.patch);
+  if (same_holes) state->seams_before = from.seams_before;
+  if (state->seams_before.size() != state->seams.size()) state->seams_before = state->seams;
+  if (!result.history.empty()) state->last_step = result.history.back();
+  state->steps = from.steps + result.steps;
+  state->recipe = from.recipe;
+  run.steps = result.steps;
+  state->recipe.runs.push_back(run);
   return state;
 }
 

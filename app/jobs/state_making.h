@@ -10,10 +10,17 @@ namespace loopmend {
 /// How far the neighborhood of a patch can be trusted.
 std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch);
 
+/// What was done in place of the flow, and why; then what is to be said of the result.
+Message message_of(const PatchResult& result);
+
 /// The state of an initial patch.
 /// @param scan_colors  as shape_of()
-PatchStatePtr first_state(Patch patch, const Message& message, double density, const Vec3& origin,
-                          const std::shared_ptr<const std::vector<Color>>& scan_colors);
+std::shared_ptr<PatchState> first_state(const Patch& patch, const PatchRecipe& recipe, const Vec3& origin,
+                                        const std::shared_ptr<const std::vector<Color>>& scan_colors);
+
+/// The state after a run of a flow. @param from  the one before it; it may be of more holes.
+std::shared_ptr<PatchState> with_result(const PatchState& from, const PatchResult& result, RunRecipe run,
+                                        const Vec3& origin);
 
 /// The state with another patch in it: shape and seam are made anew.
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin);

@@ -2,7 +2,7 @@
 // Second part of the patch dock: which flow, to which boundary; watched, or time step by time step.
 #pragma once
 
-#include "jobs/evolve_patches.h"
+#include "jobs/fill_run.h"
 
 #include <QGroupBox>
 

@@ -27,11 +27,12 @@ namespace loopmend {
 
 namespace {
 
-/// What is solved at once: holes of one group, or a hole and the islands in it that are joined to it.
+/// What is solved at once: holes of one group, a hole and the islands in it that are joined to it, or a patch that a flow has moved.
 struct Task {
-  enum class Kind { fill, join } kind = Kind::fill;
-  std::vector<BoundaryLoop> loops;  ///< of `join` the hole's first
-  std::set<int> asked;              ///< of `join`: numbers of those islands that are to be filled themselves
+  enum class Kind { fill, join, go_on } kind = Kind::fill;
+  std::vector<BoundaryLoop> loops;      ///< of `join` the hole's first
+  std::set<int> asked{};                ///< of `join`: numbers of those islands that are to be filled themselves
+  const InitialPatch* moved = nullptr;  ///< of `go_on`
 
   int edges() const {
     return std::accumulate(loops.begin(), loops.end(), 0,
@@ -43,14 +44,14 @@ struct Task {
 constexpr double least_island = 0.05;
 
 /// Those with the most edges first: they take the longest.
-/// @param refused  numbers of loops that no patch can close.
+/// @param no_islands  numbers of loops that no patch can close, or that have one: they are not joined to a hole.
 std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                            FillOptions::Islands islands, const std::set<int>& refused) {
+                            FillOptions::Islands islands, const std::set<int>& no_islands) {
   std::vector<Task> tasks;
   std::set<int> joined;
   if (islands == FillOptions::Islands::join && !loops.empty())
     for (std::vector<BoundaryLoop>& place : holes_with_islands(model, loops)) {
-      std::erase_if(place, [&](const BoundaryLoop& loop) { return refused.contains(loop.number); });
+      std::erase_if(place, [&](const BoundaryLoop& loop) { return no_islands.contains(loop.number); });
       if (place.size() < 2) continue;
       Task& task = tasks.emplace_back();
       task.kind = Task::Kind::join;
@@ -100,54 +101,90 @@ Message why_expected_too_large(const SurfaceModel& model, const BoundaryLoop& lo
   return memory_message(vertices, expected_memory_mb(vertices), options.most_memory_mb);
 }
 
-GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
-                   const CancelToken& cancel);
+/// What all groups of a fill share.
+struct Fill {
+  const ScanIndex& scan;
+  const FillOptions& options;
+  const SolveObserver& observer;
+  const CancelToken& cancel;
+
+  GroupResult done(GroupResult result) const {
+    if (observer.on_done && !cancel.cancelled()) observer.on_done(result);
+    return result;
+  }
+  GroupResult left_open(const std::vector<BoundaryLoop>& loops, const Message& why) const {
+    return done(open_group(loops, PatchStatus::failed, why));
+  }
+  Message why_too_large(const Patch& patch) const {
+    return memory_message(patch.free_count, memory_mb_of(patch.free_count), options.most_memory_mb);
+  }
+};
+
+GroupResult filled(const Fill& fill, const std::vector<BoundaryLoop>& loops);
 
 /// A group that is too large together: loops that are not so are filled.
-GroupResult each_alone(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
-                       const CancelToken& cancel) {
+GroupResult each_alone(const Fill& fill, const std::vector<BoundaryLoop>& loops) {
   GroupResult all;
   for (const BoundaryLoop& loop : loops) {
-    if (cancel.cancelled()) return open_group(loops, PatchStatus::cancelled, {});
-    GroupResult one = filled(scan, {loop}, options, cancel);
+    if (fill.cancel.cancelled()) return open_group(loops, PatchStatus::cancelled, {});
+    GroupResult one = filled(fill, {loop});
     std::move(one.holes.begin(), one.holes.end(), std::back_inserter(all.holes));
     std::move(one.patches.begin(), one.patches.end(), std::back_inserter(all.patches));
   }
   return all;
 }
 
-GroupResult filled(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops, const FillOptions& options,
-                   const CancelToken& cancel) {
+/// work(), which fills these loops; what goes wrong there is theirs alone.
+template <class Work>
+GroupResult isolated(const Fill& fill, const std::vector<BoundaryLoop>& loops, const Work& work) {
   try {
-    const InitialPatch initial = make_surveyed_patch(scan.model, loops, options.initial, cancel);
-    if (initial.patch && options.evolution) {
-      const int vertices = initial.patch->free_count;
-      const Message why = memory_message(vertices, memory_mb_of(vertices), options.most_memory_mb);
-      if (!why.empty() && loops.size() > 1) return each_alone(scan, loops, options, cancel);
-      if (!why.empty()) return open_group(loops, PatchStatus::failed, why);
-    }
-    return solve_group(scan, initial, options, nullptr, cancel);
+    return work();
   } catch (const std::bad_alloc&) {
-    return open_group(loops, PatchStatus::failed, no_memory_message());
+    return fill.left_open(loops, no_memory_message());
   } catch (const std::exception& error) {
-    return open_group(loops, PatchStatus::failed, message_of(error));
+    return fill.left_open(loops, message_of(error));
   }
 }
 
+GroupResult filled(const Fill& fill, const std::vector<BoundaryLoop>& loops) {
+  return isolated(fill, loops, [&] {
+    const InitialPatch initial = make_surveyed_patch(fill.scan.model, loops, fill.options.initial, fill.cancel);
+    if (initial.patch && fill.options.evolution) {
+      const Message why = fill.why_too_large(*initial.patch);
+      if (!why.empty() && loops.size() > 1) return each_alone(fill, loops);
+      if (!why.empty()) return fill.left_open(loops, why);
+    }
+    if (initial.patch && fill.observer.on_start) fill.observer.on_start({*initial.patch, initial.message()});
+    return solve_group(fill.scan, initial, fill.options, fill.observer, fill.cancel);
+  });
+}
+
+GroupResult gone_on(const Fill& fill, const InitialPatch& moved) {
+  return isolated(fill, moved.loops, [&] {
+    const Message why = fill.why_too_large(*moved.patch);
+    if (!why.empty()) return fill.left_open(moved.loops, why);
+    return solve_group(fill.scan, moved, fill.options, fill.observer, fill.cancel);
+  });
+}
+
 /// One patch between a hole and the islands in it. @param why  is set where there is none; its reason may be empty.
-std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<BoundaryLoop>& place,
-                                   const FillOptions& options, const CancelToken& cancel, Message& why) {
+std::optional<PatchResult> bridged(const Fill& fill, const std::vector<BoundaryLoop>& place, Message& why) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   try {
-    BridgeOutcome outcome = bridge_loops(scan.model, place, options.initial, cancel);
+    BridgeOutcome outcome = bridge_loops(fill.scan.model, place, fill.options.initial, fill.cancel);
     why = outcome.message;
-    if (!outcome.bridge || cancel.cancelled()) return std::nullopt;
-    const int vertices = outcome.bridge->start.free_count;
-    why = memory_message(vertices, memory_mb_of(vertices), options.most_memory_mb);
-    if (!why.empty()) return std::nullopt;
+    if (!outcome.bridge || fill.cancel.cancelled()) return std::nullopt;
+    const Message too_large = fill.why_too_large(outcome.bridge->start);
+    if (!too_large.empty()) {
+      why = too_large;
+      return std::nullopt;
+    }
     const double bridge_seconds = seconds();
-    PatchResult result = solve_bridge(scan, *outcome.bridge, options.evolution, nullptr, cancel);
+    if (fill.observer.on_start)
+      fill.observer.on_start({outcome.bridge->membrane, outcome.message, StartPatch::Kind::bridge});
+    PatchResult result =
+        solve_bridge(fill.scan, *outcome.bridge, fill.options.evolution, fill.observer.on_step, fill.cancel);
     why = result.message;
     if (!is_filled(result.status)) return std::nullopt;
     result.seconds.initial_patch = bridge_seconds;
@@ -160,12 +197,14 @@ std::optional<PatchResult> bridged(const ScanIndex& scan, const std::vector<Boun
 }
 
 /// The hole's islands joined to it, or where that fails covered by its patch.
-GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& options, const CancelToken& cancel) {
+GroupResult joined(const Fill& fill, const Task& task) {
   const std::vector<BoundaryLoop>& place = task.loops;
   Message why;
-  std::optional<PatchResult> made = bridged(scan, place, options, cancel, why);
+  std::optional<PatchResult> made = bridged(fill, place, why);
   if (!made) {
-    GroupResult alone = filled(scan, {place.front()}, options, cancel);
+    SolveObserver quiet = fill.observer;  // more is to be said of the hole before it is done
+    quiet.on_done = nullptr;
+    GroupResult alone = filled({fill.scan, fill.options, quiet, fill.cancel}, {place.front()});
     for (HoleResult& hole : alone.holes) hole.message = joined(std::move(hole.message), "; ", island_not_joined(why));
     for (const BoundaryLoop& island : place)
       if (task.asked.contains(island.number))
@@ -173,7 +212,7 @@ GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& o
             open_hole(island, PatchStatus::skipped,
                       say("the piece lies within hole %1, whose patch covers it: left as it is", place[0].number)
                           .with_code("covered_island")));
-    return alone;
+    return fill.done(std::move(alone));
   }
   GroupResult result;
   const auto patch = std::make_shared<const PatchResult>(std::move(*made));
@@ -188,7 +227,7 @@ GroupResult joined(const ScanIndex& scan, const Task& task, const FillOptions& o
     else
       hole.message = say("an island: joined to hole %1", place[0].number).with_code("joined_island");
   }
-  return result;
+  return fill.done(std::move(result));
 }
 
 /// Patches that would intersect one another are left out. @returns the results in the order of `loops`, then those of islands.
@@ -246,7 +285,7 @@ int large_first(const SurfaceModel& model, const FillOptions& options, std::vect
   for (Task& task : tasks) {
     const double needed = memory_of(task);
     if (needed > options.most_memory_mb && task.kind == Task::Kind::fill) {
-      for (BoundaryLoop& loop : task.loops) large.push_back({Task::Kind::fill, {std::move(loop)}, {}});
+      for (BoundaryLoop& loop : task.loops) large.push_back({Task::Kind::fill, {std::move(loop)}});
     } else {
       (needed * thread_budget() > options.most_memory_mb ? large : small).push_back(std::move(task));
     }
@@ -259,49 +298,40 @@ int large_first(const SurfaceModel& model, const FillOptions& options, std::vect
 
 /// Closes the tiny holes: a scan may have very many. @returns one result for each loop; nothing where it takes more, or where an
 /// island is to be joined.
-std::vector<std::optional<GroupResult>> tiny_holes_closed(const ScanIndex& scan, const std::vector<BoundaryLoop>& loops,
-                                                          const FillOptions& options, const CancelToken& cancel) {
+std::vector<std::optional<GroupResult>> tiny_holes_closed(const Fill& fill, const std::vector<BoundaryLoop>& loops) {
   std::vector<std::optional<GroupResult>> closed(loops.size());
   std::set<int> around_islands;
-  if (options.islands == FillOptions::Islands::join)
-    for (const std::vector<BoundaryLoop>& place : holes_with_islands(scan.model, loops))
+  if (fill.options.islands == FillOptions::Islands::join)
+    for (const std::vector<BoundaryLoop>& place : holes_with_islands(fill.scan.model, loops))
       around_islands.insert(place.front().number);
+  // Two rings are enough to paste a patch; whoever watches may go on from it with a flow.
+  const int rings = fill.observer.on_done ? patch_rings : 2;
   parallel_for(0, static_cast<int>(loops.size()), 64, [&](int k) {
-    if (cancel.cancelled() || around_islands.contains(loops[k].number)) return;
+    if (fill.cancel.cancelled() || around_islands.contains(loops[k].number)) return;
     try {
-      closed[k] = close_tiny_hole(scan, loops[k], options, 2);
+      if (auto own = close_tiny_hole(fill.scan, loops[k], fill.options, rings)) closed[k] = fill.done(std::move(*own));
     } catch (const std::exception&) {  // what goes wrong there is said when it is tried with all means
     }
   });
   return closed;
 }
 
-std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const FillOptions& asked,
-                             const OnFillProgress& progress, const CancelToken& cancel) {
-  FillOptions options = asked;
-  if (options.evolution)  // what could not be solved is not made
-    options.initial.most_vertices =
-        std::min(options.initial.most_vertices, options.most_memory_mb / expected_memory_mb(1));
-  if (options.mirror == FillOptions::Mirror::find) options.mirror_planes = find_mirror_planes(model, cancel);
-  const ScanIndex scan(model);
-  std::vector<GroupResult> solved;
+/// What is known before any patch of a flow is made: tiny holes are closed, loops that no patch can fill are left.
+/// @param refused  gets the numbers of the latter. @returns the other loops.
+std::vector<BoundaryLoop> possible_loops(const Fill& fill, const std::vector<BoundaryLoop>& loops,
+                                         std::vector<GroupResult>& solved, std::set<int>& refused) {
   std::vector<BoundaryLoop> possible;
-  std::set<int> refused;
-  std::vector<std::optional<GroupResult>> closed = tiny_holes_closed(scan, loops, options, cancel);
-  for (std::size_t k = 0; k < loops.size(); ++k) {  // what no patch can fill is known before any is made
+  std::vector<std::optional<GroupResult>> closed = tiny_holes_closed(fill, loops);
+  for (std::size_t k = 0; k < loops.size(); ++k) {
     const BoundaryLoop& loop = loops[k];
     if (closed[k]) {
       solved.push_back(std::move(*closed[k]));
       continue;
     }
-    if (cancel.cancelled()) {
-      possible.push_back(loop);
-      continue;
-    }
     Message why;
     try {
-      if (loop.kind != LoopKind::cut) why = why_no_patch_exists(scan, loop);
-      if (why.empty()) why = why_expected_too_large(model, loop, options);
+      if (!fill.cancel.cancelled() && loop.kind != LoopKind::cut) why = why_no_patch_exists(fill.scan, loop);
+      if (!fill.cancel.cancelled() && why.empty()) why = why_expected_too_large(fill.scan.model, loop, fill.options);
     } catch (const std::exception& error) {
       why = message_of(error);
     }
@@ -310,15 +340,22 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
       continue;
     }
     refused.insert(loop.number);
-    solved.push_back(open_group({loop}, PatchStatus::failed, why));
+    solved.push_back(fill.left_open({loop}, why));
   }
-  if (cancel.cancelled()) {
-    if (options.on_cancel == FillOptions::OnCancel::discard) return {};
-    solved.push_back(open_group(possible, PatchStatus::skipped, not_finished()));
-    return pasted(model, loops, std::move(solved));
-  }
-  std::vector<Task> tasks = tasks_for(model, possible, options.islands, refused);
-  const int one_by_one = large_first(model, options, tasks);
+  return possible;
+}
+
+std::vector<GroupResult> solved_groups(const Fill& fill, const HolesToSolve& holes, const OnFillProgress& progress) {
+  std::vector<GroupResult> solved;
+  std::set<int> no_islands = holes.closed;
+  const std::vector<BoundaryLoop> possible = possible_loops(fill, holes.loops, solved, no_islands);
+  std::vector<Task> tasks;
+  if (fill.cancel.cancelled())
+    tasks.push_back({Task::Kind::fill, possible});
+  else
+    tasks = tasks_for(fill.scan.model, possible, fill.options.islands, no_islands);
+  for (const InitialPatch& moved : holes.moved) tasks.push_back({Task::Kind::go_on, moved.loops, {}, &moved});
+  const int one_by_one = large_first(fill.scan.model, fill.options, tasks);
   std::vector<GroupResult> results(tasks.size());
   std::vector<char> finished(tasks.size(), 0);
   std::mutex progress_mutex;
@@ -327,17 +364,18 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
       std::accumulate(tasks.begin(), tasks.end(), static_cast<int>(solved.size()),
                       [](int sum, const Task& task) { return sum + static_cast<int>(task.loops.size()); });
   state.loops_done = static_cast<int>(solved.size());
-  if (progress && state.loops_done > 0) {
+  if (progress && state.loops_done > 0 && !fill.cancel.cancelled()) {
     state.loop_number = solved.back().holes.front().loop.number;
     progress(state);
   }
   const auto work_on = [&](int k) {
-    if (cancel.cancelled()) return;
+    if (fill.cancel.cancelled()) return;
     const Task& task = tasks[k];
-    results[k] =
-        task.kind == Task::Kind::join ? joined(scan, task, options, cancel) : filled(scan, task.loops, options, cancel);
+    results[k] = task.kind == Task::Kind::join    ? joined(fill, task)
+                 : task.kind == Task::Kind::go_on ? gone_on(fill, *task.moved)
+                                                  : filled(fill, task.loops);
     const std::lock_guard lock(progress_mutex);
-    if (cancel.cancelled()) return;
+    if (fill.cancel.cancelled()) return;
     finished[k] = 1;
     state.loops_done += static_cast<int>(task.loops.size());
     state.loop_number = task.loops.front().number;
@@ -345,11 +383,11 @@ std::vector<HoleResult> fill(SurfaceModel& model, const std::vector<BoundaryLoop
   };
   for (int k = 0; k < one_by_one; ++k) work_on(k);
   parallel_for(one_by_one, static_cast<int>(tasks.size()), 1, work_on);
-  if (cancel.cancelled() && options.on_cancel == FillOptions::OnCancel::discard) return {};
   for (std::size_t k = 0; k < tasks.size(); ++k)
     solved.push_back(finished[k] ? std::move(results[k])
                                  : open_group(tasks[k].loops, PatchStatus::skipped, not_finished()));
-  return pasted(model, loops, std::move(solved));
+  if (fill.cancel.cancelled() && fill.options.on_cancel == FillOptions::OnCancel::discard) solved.clear();
+  return solved;
 }
 
 }  // namespace
@@ -368,14 +406,29 @@ Message island_not_joined(const Message& why) {
       .with_code("island_not_joined");
 }
 
+std::vector<GroupResult> solve_holes(const ScanIndex& scan, const HolesToSolve& holes, const FillOptions& asked,
+                                     const SolveObserver& observer, const OnFillProgress& progress,
+                                     const CancelToken& cancel) {
+  check(asked);
+  if (!holds_neighborhood(scan.model, holes.loops))
+    throw InvalidArgument(
+        say("the view of the surface ends too near to a loop that is to be filled (pipeline/filling_view.h)"));
+  return with_thread_budget(asked.threads, [&] {
+    FillOptions options = asked;
+    if (options.evolution)  // what could not be solved is not made
+      options.initial.most_vertices =
+          std::min(options.initial.most_vertices, options.most_memory_mb / expected_memory_mb(1));
+    if (options.mirror == FillOptions::Mirror::find) options.mirror_planes = find_mirror_planes(scan.model, cancel);
+    return solved_groups({scan, options, observer, cancel}, holes, progress);
+  });
+}
+
 std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                    const FillOptions& options, const OnFillProgress& progress,
                                    const CancelToken& cancel) {
-  check(options);
-  if (!holds_neighborhood(model, loops))
-    throw InvalidArgument(
-        say("the view of the surface ends too near to a loop that is to be filled (pipeline/filling_view.h)"));
-  return with_thread_budget(options.threads, [&] { return fill(model, loops, options, progress, cancel); });
+  std::vector<GroupResult> solved = solve_holes(ScanIndex(model), {loops}, options, {}, progress, cancel);
+  if (solved.empty()) return {};
+  return with_thread_budget(options.threads, [&] { return pasted(model, loops, std::move(solved)); });
 }
 
 std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& model,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filling the holes of a scan from end to end: group, initial patch, candidates, validation, paste. The command line calls
-// it; the window goes through the same steps one by one (initial_patch, solve_group, paste).
+// Filling the holes of a scan from end to end: group, initial patch, candidates, validation, paste. The window, which pastes when it
+// writes a file, calls solve_holes(), and all others fill_holes().
 #pragma once
 
 #include "core/cancel.h"
@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,8 +45,23 @@ struct FillProgress {
 /// May be called from several threads, one call at a time.
 using OnFillProgress = std::function<void(const FillProgress&)>;
 
+/// Holes of one surface.
+struct HolesToSolve {
+  std::vector<BoundaryLoop> loops;    ///< from their boundaries
+  std::vector<InitialPatch> moved{};  ///< from where a flow has left them: InitialPatch::Origin::evolved
+  std::set<int> closed{};             ///< numbers of loops that have a patch: no islands to be joined
+};
+
+/// Patches for the holes, within the memory that the options allow. What goes wrong in one hole leaves the others alone.
+/// @returns the groups in no particular order; when cancelled, none, or holes without a patch as well (FillOptions::on_cancel).
+/// @throws InvalidArgument as fill_holes().
+std::vector<GroupResult> solve_holes(const ScanIndex& scan, const HolesToSolve& holes, const FillOptions& options,
+                                     const SolveObserver& observer, const OnFillProgress& progress,
+                                     const CancelToken& cancel);
+
 /// Fills the loops and pastes the patches.
 /// @param loops  of the model as it is.
+/// @throws InvalidArgument if an option is out of range, or the view of the surface ends too near to a loop.
 /// @returns one result per loop, in order, then those of islands that were joined to one of them; empty when cancelled
 /// and nothing is kept. Where finished patches are kept, the other loops are `skipped`.
 std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<BoundaryLoop>& loops,

@@ -59,25 +59,28 @@ GroupResult guarded(const std::vector<BoundaryLoop>& loops, const Work& work) {
 /// One group from its initial patch on.
 class GroupSolver {
  public:
-  GroupSolver(const ScanIndex& scan, const GroupOptions& options, const Evolution::OnStep& on_step,
+  GroupSolver(const ScanIndex& scan, const GroupOptions& options, const SolveObserver& observer,
               const CancelToken& cancel)
       : scan_(scan),
         options_(options),
-        on_step_(on_step),
+        observer_(observer),
         cancel_(cancel) {}
 
   GroupResult solve(const InitialPatch& asked) const {
-    if (asked.origin == InitialPatch::Origin::evolved) return jointly(asked);
+    if (asked.origin == InitialPatch::Origin::evolved) return done(jointly(asked));
     GroupResult result = failed_group(asked.loops, {});
     const InitialPatch initial = without_tiny(asked, result);
     if (initial.loops.empty()) return result;
-    if (asked.loops.size() == 1) return jointly(initial);
+    if (asked.loops.size() == 1) return done(jointly(initial));
     std::vector<MirrorFit> refused(initial.loops.size());
     const InitialPatch others = without_mirrored(initial, result, refused);
     if (others.loops.empty()) return result;
-    for (const InitialPatch& alike : parts_alike(scan_, others, options_, cancel_)) {
+    const std::vector<InitialPatch> parts = parts_alike(scan_, others, options_, cancel_);
+    if (parts.front().loops.size() < asked.loops.size())
+      for (const InitialPatch& alike : parts) start(alike);
+    for (const InitialPatch& alike : parts) {
       if (cancel_.cancelled()) return result;
-      put(guarded(alike.loops, [&] { return part(alike); }), result);
+      put(done(guarded(alike.loops, [&] { return part(alike); })), result);
     }
     for (std::size_t k = 0; k < refused.size(); ++k) {
       HoleResult& hole = *hole_of(initial.loops[k], result);
@@ -87,12 +90,21 @@ class GroupSolver {
   }
 
  private:
+  void start(const InitialPatch& initial) const {
+    if (observer_.on_start && initial.patch) observer_.on_start({*initial.patch, initial.message()});
+  }
+
+  GroupResult done(GroupResult result) const {
+    if (observer_.on_done && !cancel_.cancelled()) observer_.on_done(result);
+    return result;
+  }
+
   /// Closes the tiny holes of a group, each by itself. @returns the others.
   InitialPatch without_tiny(const InitialPatch& initial, GroupResult& result) const {
     std::vector<int> others;
     for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
       if (std::optional<GroupResult> own = close_tiny_hole(scan_, initial.loops[k], options_, patch_rings))
-        put(std::move(*own), result);
+        put(done(std::move(*own)), result);
       else
         others.push_back(k);
     if (others.size() == initial.loops.size()) return initial;
@@ -118,12 +130,14 @@ class GroupSolver {
         refused[k] =
             mirrored_patch({scan_, *one.patch, one.loops, &options_.mirror_planes}, *options_.evolution, cancel_)
                 .mirror;
-        return refused[k].is_proposed() ? jointly(one) : GroupResult{};
+        if (!refused[k].is_proposed()) return GroupResult{};
+        start(one);
+        return jointly(one);
       });
       if (own.patches.empty())
         others.push_back(k);
       else
-        put(std::move(own), result);
+        put(done(std::move(own)), result);
     }
     if (others.size() == known.loops.size()) return initial;
     return others.empty() ? InitialPatch{} : part_of(scan_.model, known, others, options_.initial);
@@ -138,9 +152,17 @@ class GroupSolver {
     });
     if (initial.loops.size() == 1 || !spoilt || cancel_.cancelled()) return joint;
     GroupResult single = failed_group(initial.loops, {});
-    for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
-      put(guarded({initial.loops[k]}, [&] { return jointly(part_of(scan_.model, initial, {k}, options_.initial)); }),
-          single);
+    const auto each = [&](const auto& work) {
+      for (int k = 0; k < static_cast<int>(initial.loops.size()); ++k)
+        put(guarded({initial.loops[k]}, [&] { return work(part_of(scan_.model, initial, {k}, options_.initial)); }),
+            single);
+    };
+    if (observer_.on_start)  // of all, before the first is solved
+      each([&](const InitialPatch& one) {
+        start(one);
+        return GroupResult{};
+      });
+    each([&](const InitialPatch& one) { return jointly(one); });
     return single;
   }
 
@@ -263,7 +285,7 @@ class GroupSolver {
     if (options_.evolution) {
       EvolutionOptions evolution = *options_.evolution;
       evolution.split = survey.split;
-      result = solve_patch(problem, evolution, on_step_, cancel_);
+      result = solve_patch(problem, evolution, observer_.on_step, cancel_);
       if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
           is_filled(result.status) && result.method != Method::mirror_image)
         add_relief(problem, survey.split, evolution.relief, cancel_, result);
@@ -279,7 +301,7 @@ class GroupSolver {
 
   const ScanIndex& scan_;
   const GroupOptions& options_;
-  const Evolution::OnStep& on_step_;
+  const SolveObserver& observer_;
   const CancelToken& cancel_;
 };
 
@@ -348,8 +370,8 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
 }
 
 GroupResult solve_group(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
-                        const Evolution::OnStep& on_step, const CancelToken& cancel) {
-  return GroupSolver(scan, options, on_step, cancel).solve(initial);
+                        const SolveObserver& observer, const CancelToken& cancel) {
+  return GroupSolver(scan, options, observer, cancel).solve(initial);
 }
 
 }  // namespace loopmend

@@ -8,6 +8,7 @@
 #include "pipeline/patch_result.h"
 #include "pipeline/validate.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -83,6 +84,21 @@ struct GroupOptions {
   std::vector<MirrorPlane> mirror_planes{};
 };
 
+/// What holes are closed by before any flow.
+struct StartPatch {
+  const Patch& patch;
+  Message message;  ///< what is to be said of it; empty when all is well
+  enum class Kind { holes, bridge } kind = Kind::holes;
+};
+
+/// What is seen of holes while they are solved; each may be empty. Called on several threads, but for one patch on one of them.
+struct SolveObserver {
+  /// One patch closes these holes from now on. Holes that were in one patch may come again in several.
+  std::function<void(const StartPatch&)> on_start;
+  Evolution::OnStep on_step;                        ///< every accepted step of every attempt
+  std::function<void(const GroupResult&)> on_done;  ///< the final result of some of the holes
+};
+
 /// The group in parts whose holes ask for the same treatment of the boundary data: what solve_group() solves one after another.
 /// @returns the group alone where there is one part only.
 std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
@@ -91,9 +107,9 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
 /// Holes that ask for the same treatment of the boundary data are solved jointly; where that leaves one of them open, out of
 /// proportion or with the initial patch, each by itself. What goes wrong in one hole leaves the others alone.
 /// @param initial  with more than one loop and no outcomes, these are made again.
-/// @param on_step  every accepted step of every attempt; may be empty.
+/// @param observer  is not told of the start of `initial` itself.
 /// @returns nothing of use when cancelled.
 GroupResult solve_group(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
-                        const Evolution::OnStep& on_step, const CancelToken& cancel);
+                        const SolveObserver& observer, const CancelToken& cancel);
 
 }  // namespace loopmend

@@ -161,7 +161,7 @@ TEST(TinyHole, AGroupFromItsInitialPatchGivesTheSame) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   const ScanIndex scan(model);
   const auto direct = close_tiny_hole(scan, loops.front(), {}, 2);
-  const GroupResult solved = solve_group(scan, make_initial_patch(model, loops, {}, {}), {}, nullptr, {});
+  const GroupResult solved = solve_group(scan, make_initial_patch(model, loops, {}, {}), {}, {}, {});
   ASSERT_TRUE(direct);
   ASSERT_EQ(solved.patches.size(), 1u);
   const PatchGeometry a = patch_geometry(direct->patches.front()->patch),
