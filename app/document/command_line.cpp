@@ -40,6 +40,12 @@ QString options_of(const PatchRecipe& recipe, const OpenedScan& scan, const std:
     text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief) +
             shell::edges_options(run.edges, own_edits(run.edge_edits, scan, loops));
   if (run.mirror == RunRecipe::Mirror::found) text += QStringLiteral(" --mirror");
+  if (run.mirror == RunRecipe::Mirror::placed) {
+    QStringList numbers;
+    for (const Vec3* v : {&run.mirror_plane.point, &run.mirror_plane.normal})
+      for (double x : *v) numbers << shell::exact(x);
+    text += QStringLiteral(" --mirror-plane ") + numbers.join(QLatin1Char(','));
+  }
   if (run.mode == EvolutionMode::steps || run.end == RunRecipe::End::after_steps)
     text += QStringLiteral(" --steps ") + QString::number(run.steps);
   return text;

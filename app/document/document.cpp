@@ -137,6 +137,7 @@ void Document::clear() {
   origin_ = Vec3::Zero();
   units_.clear();
   edge_edits_.clear();
+  mirror_planes_.clear();
   patches_.clear();
   index_patches();
   running_.clear();
@@ -168,6 +169,16 @@ void Document::set_edge_edits(int scan, EdgeEdits edits) {
   if (edge_edits(scan) == edits) return;
   edge_edits_[scan] = std::move(edits);
   Q_EMIT edge_edits_changed();
+}
+
+std::optional<MirrorPlane> Document::mirror_plane(int scan) const {
+  const auto found = mirror_planes_.find(scan);
+  return found == mirror_planes_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Document::set_mirror_plane(int scan, const std::optional<MirrorPlane>& plane) {
+  mirror_planes_.erase(scan);
+  if (plane) mirror_planes_.emplace(scan, *plane);
 }
 
 void Document::set_chosen_units(const std::map<int, std::string>& units) {

@@ -103,6 +103,9 @@ class Document : public QObject {
   /// What a person says of sharp edges across the holes of a scan; of the scan as it is, not kept in sessions.
   const EdgeEdits& edge_edits(int scan) const;
   void set_edge_edits(int scan, EdgeEdits edits);
+  /// In which holes of a scan are filled by a copy of the other side, where that fits; not kept in sessions.
+  std::optional<MirrorPlane> mirror_plane(int scan) const;
+  void set_mirror_plane(int scan, const std::optional<MirrorPlane>& plane);
 
   int next_patch_id() { return next_id_++; }
   /// Patches by these ids go, those in `now` come or are shown anew.
@@ -144,6 +147,7 @@ class Document : public QObject {
   std::map<int, Message> failures_;
   std::map<int, std::string> units_;
   std::map<int, EdgeEdits> edge_edits_;
+  std::map<int, MirrorPlane> mirror_planes_;
   OuterRims outer_rims_ = OuterRims::leave;
   int next_id_ = 1;
 };

@@ -3,6 +3,7 @@
 // stack, timeline, worker and view.
 #pragma once
 
+#include "mirror/mirror_plane.h"
 #include "neighborhood/boundary_fits.h"
 #include "pipeline/patch_result.h"
 #include "scene/surface_shape.h"
@@ -27,7 +28,9 @@ struct RunRecipe {
   enum class Mirror {
     none,
     found,                  ///< the mirror image in a plane of symmetry that was looked for
+    placed,                 ///< that in `mirror_plane`, where it fits
   } mirror = Mirror::none;  ///< likewise
+  MirrorPlane mirror_plane;
   int steps = 0;            ///< taken
   enum class End {
     whole,        ///< as far as it goes

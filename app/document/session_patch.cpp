@@ -141,6 +141,8 @@ void put(Writer& out, const PatchRecipe& recipe) {
     for (const auto& [a, b] : run.edge_edits.drawn) drawn.insert(drawn.end(), {a, b});
     out.put(drawn);
     out.put(run.edge_edits.stopped);
+    out.put(run.mirror_plane.point);
+    out.put(run.mirror_plane.normal);
   }
 }
 
@@ -161,11 +163,13 @@ PatchRecipe recipe(Reader& in) {
     run.relief.kind = in.word(ReliefChoice::Kind::continued);
     run.relief.seed = in.number<quint64>();
     run.edges = in.word(SharpEdges::rounded);
-    run.mirror = in.word(RunRecipe::Mirror::found);
+    run.mirror = in.word(RunRecipe::Mirror::placed);
     const std::vector<int> drawn = in.array<int>();
     if (drawn.size() % 2 != 0) in.fail(say("a sharp edge has one end only"));
     for (std::size_t k = 0; k < drawn.size(); k += 2) run.edge_edits.drawn.emplace_back(drawn[k], drawn[k + 1]);
     run.edge_edits.stopped = in.array<int>();
+    run.mirror_plane.point = in.vector();
+    run.mirror_plane.normal = in.vector();
     r.runs.push_back(run);
   }
   return r;

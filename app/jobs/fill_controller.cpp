@@ -102,7 +102,10 @@ FillRun FillController::fill_run(FillRequest& request) {
     task.scan_context = context_of(scan);
     task.first_loop = document_.first_loop_of(scan);
     task.options = options;
-    if (task.options.evolution) task.options.evolution->edge_edits = document_.edge_edits(scan);
+    if (task.options.evolution) {
+      task.options.evolution->edge_edits = document_.edge_edits(scan);
+      if (const auto plane = document_.mirror_plane(scan)) task.options.mirror_planes = {*plane};
+    }
     task.options.initial.density = density;
     task.options.islands = islands;
     return task;

@@ -108,6 +108,15 @@ class TaskRecording {
     if (run_.pace == Pace::watched) job_.linger(watched_step / std::max(1, run_.patches));
   }
 
+  RunRecipe recipe() const {
+    RunRecipe run = recipe_of(*task_.options.evolution);
+    if (!task_.options.mirror_planes.empty()) {
+      run.mirror = RunRecipe::Mirror::placed;
+      run.mirror_plane = task_.options.mirror_planes.front();
+    }
+    return run;
+  }
+
   PatchStatePtr after_step(const Part& part, const Evolution& evolution, const StepRecord& record) const {
     auto next = with_patch(*part.first, evolution.patch(), run_.origin);
     next->status = PatchStatus::ready;
@@ -118,7 +127,7 @@ class TaskRecording {
     next->steps = part.first->steps + record.step;
     next->last_step = record;
     next->seconds.total = std::chrono::duration<double>(Clock::now() - started_).count();
-    RunRecipe run = recipe_of(*task_.options.evolution);
+    RunRecipe run = recipe();
     run.relief = {};  // added at the end
     run.steps = record.step;
     run.end = part.attempts > 1 ? RunRecipe::End::unnamed : RunRecipe::End::after_steps;
@@ -134,7 +143,7 @@ class TaskRecording {
     std::shared_ptr<PatchState> state;
     const PatchStatePtr first = part.first ? part.first : state = initial_state(result.patch, part.start);
     if (task_.options.evolution) {
-      state = with_result(*first, result, recipe_of(*task_.options.evolution), run_.origin);
+      state = with_result(*first, result, recipe(), run_.origin);
     } else {  // without a verdict: a flow may follow
       state->status = result.status;
       state->validity = result.validity;

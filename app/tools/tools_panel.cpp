@@ -23,8 +23,8 @@ QGroupBox* group(const QString& title, QWidget* content) {
 
 }  // namespace
 
-ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MeasureBox* measure,
-                       ProblemBox* trial, QWidget* parent)
+ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MirrorBox* mirror,
+                       MeasureBox* measure, ProblemBox* trial, QWidget* parent)
     : QScrollArea(parent),
       trial_(trial) {
   setObjectName(QStringLiteral("toolsPanel"));
@@ -52,12 +52,15 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
          Tool::fill_part);
   choice("toolEdges", tr("Edges"), tr("See, remove or draw the sharp edges that run on across holes (Shift+E)"),
          Tool::edges);
+  choice("toolMirror", tr("Mirror"), tr("See the plane of symmetry, and what its image would fill (Shift+M)"),
+         Tool::mirror);
   choice("toolMeasure", tr("Distance"), tr("The distance between two vertices (D)"), Tool::measure);
   auto* none = make_note("toolsHint");
   none->setText(tr(
       "Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
       "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Fill part closes "
-      "a hole between two of its vertices; Edges shows where sharp edges run on; Distance measures between two "
+      "a hole between two of its vertices; Edges shows where sharp edges run on; Mirror what the other side of the "
+      "scan would fill; Distance measures between two "
       "vertices."));
   none->setAlignment(Qt::AlignTop);
   auto* bridge = make_note("bridgeHint");
@@ -77,6 +80,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
             group(tr("Bridge"), bridge),
             group(tr("Fill a part of a hole"), fill_part),
             group(tr("Sharp edges across holes"), edges),
+            group(tr("Mirror image"), mirror),
             group(tr("Distance"), measure)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -88,7 +92,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
   layout->addStretch(1);
   setWidget(content);
   int widest = 0;
-  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, edges, measure, trial})
+  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, edges, mirror, measure, trial})
     widest = std::max(widest, part->minimumSizeHint().width());
   constexpr int frames = 46;  // of the boxes, and the dock's own margins
   setMinimumWidth(widest + frames);

@@ -5,6 +5,7 @@
 #include "tools/blend_box.h"
 #include "tools/edges_box.h"
 #include "tools/measure_box.h"
+#include "tools/mirror_box.h"
 #include "tools/points_box.h"
 #include "tools/problem_box.h"
 #include "tools/region_box.h"
@@ -15,7 +16,7 @@ class QPushButton;
 
 namespace loopmend {
 
-enum class Tool { none, region, points, blend, bridge, fill_part, edges, measure };
+enum class Tool { none, region, points, blend, bridge, fill_part, edges, mirror, measure };
 /// Whether what it makes is tried out before it is accepted.
 constexpr bool makes_surfaces(Tool tool) { return tool == Tool::region || tool == Tool::points || tool == Tool::blend; }
 
@@ -23,8 +24,8 @@ class ToolsPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MeasureBox* measure,
-             ProblemBox* trial, QWidget* parent = nullptr);
+  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MirrorBox* mirror,
+             MeasureBox* measure, ProblemBox* trial, QWidget* parent = nullptr);
 
   Tool tool() const { return tool_; }
   void choose(Tool tool);

@@ -138,6 +138,7 @@ void MainWindow::connect_patch_actions() {
                                    {"toolBridgeAction", Tool::bridge},
                                    {"toolFillPartAction", Tool::fill_part},
                                    {"toolEdgesAction", Tool::edges},
+                                   {"toolMirrorAction", Tool::mirror},
                                    {"toolMeasureAction", Tool::measure}})
     a.on(name, this, [this, wanted = tool] {
       findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
@@ -179,6 +180,7 @@ void MainWindow::update_actions() {
                            "toolBridgeAction",
                            "toolFillPartAction",
                            "toolEdgesAction",
+                           "toolMirrorAction",
                            "toolMeasureAction",
                            "clip",
                            "screenshot",

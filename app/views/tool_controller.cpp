@@ -31,6 +31,9 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
           this)),
       edge_guide_(new EdgeGuide(document, selection, this)),
       edges_(new EdgesTool(document, visibility, *edge_guide_, this)),
+      mirror_guide_(new MirrorGuide(
+          document, selection, [&controller](int scan) { return controller.context_of(scan); }, this)),
+      mirror_(new MirrorTool(document, *mirror_guide_, this)),
       trial_(new ProblemController(document, controller, this)),
       place_(new PlacePart(document, controller, this)),
       points_box_(new PointsBox(document, *points_)),
@@ -38,7 +41,7 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
       trial_box_(new ProblemBox(*trial_)),
       region_box_(new RegionBox(*region_)),
       panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new EdgesBox(*edge_guide_),
-                            new MeasureBox(document, *measure_), trial_box_)) {
+                            new MirrorBox(document, *mirror_guide_), new MeasureBox(document, *measure_), trial_box_)) {
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
     give_up_trial();
@@ -56,6 +59,7 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
   connect(bridge_, &BridgeTool::changed, &view_, &MeshView::update_tool);
   connect(measure_, &MeasureTool::changed, &view_, &MeshView::update_tool);
   connect(edges_, &EdgesTool::changed, &view_, &MeshView::update_tool);
+  connect(mirror_, &MirrorTool::changed, this, &ToolController::show_mirrored);
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
     connect(&document_, signal, measure_, &MeasureTool::clear);
   connect(bridge_, &BridgeTool::bridge_wanted, &controller, &FillController::bridge);
@@ -102,6 +106,8 @@ void ToolController::on_tool(Tool tool) {
   edges_->clear();
   measure_->clear();
   edge_guide_->watch(tool == Tool::edges ? EdgeGuide::Watch::open_holes : EdgeGuide::Watch::nothing);
+  if (tool != Tool::mirror && !mirror_guide_->fits().empty()) view_.show_ghosts({});
+  mirror_guide_->watch(tool == Tool::mirror ? MirrorGuide::Watch::scan : MirrorGuide::Watch::nothing);
   switch (tool) {
     case Tool::none: view_.set_tool(nullptr); break;
     case Tool::region: view_.set_tool(region_); break;
@@ -113,6 +119,7 @@ void ToolController::on_tool(Tool tool) {
       view_.set_tool(bridge_);
       break;
     case Tool::edges: view_.set_tool(edges_); break;
+    case Tool::mirror: view_.set_tool(mirror_); break;
     case Tool::measure: view_.set_tool(measure_); break;
   }
   show_region();
@@ -153,6 +160,7 @@ void ToolController::update_wanting() {
     case Tool::bridge:
     case Tool::fill_part:
     case Tool::edges:
+    case Tool::mirror:
     case Tool::measure: break;
     case Tool::region: words = region_->count() > 0 ? QString() : tr("Paint a region first."); break;
     case Tool::points: words = points_box_->wanting(); break;
@@ -165,6 +173,16 @@ void ToolController::update_wanting() {
 void ToolController::show_region() {
   const bool shown = panel_->tool() == Tool::region && trial_->picture().patch == nullptr;
   view_.show_marked(shown ? region_->shape() : nullptr);
+}
+
+/// What would be copied into the holes.
+void ToolController::show_mirrored() {
+  if (panel_->tool() != Tool::mirror) return;
+  std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
+  for (const MirrorGuide::Fit& one : mirror_guide_->fits())
+    if (one.ghost) ghosts.push_back(one.ghost);
+  view_.show_ghosts(ghosts);
+  view_.update_tool();
 }
 
 void ToolController::pose(Then then) {
@@ -184,6 +202,7 @@ ProblemRequest ToolController::request() const {
     case Tool::bridge:
     case Tool::fill_part:
     case Tool::edges:
+    case Tool::mirror:
     case Tool::measure: break;
     case Tool::region: return region_request();
     case Tool::points: return points_request();
@@ -303,8 +322,9 @@ void ToolController::on_placed(int old_scan, int new_scan) {
 }
 
 bool ToolController::shut_down(std::chrono::milliseconds at_most) {
-  const bool tried = trial_->shut_down(at_most), looked = edge_guide_->shut_down(at_most);
-  return place_->shut_down(at_most) && tried && looked;
+  const bool tried = trial_->shut_down(at_most), looked = edge_guide_->shut_down(at_most),
+             compared = mirror_guide_->shut_down(at_most);
+  return place_->shut_down(at_most) && tried && looked && compared;
 }
 
 }  // namespace loopmend

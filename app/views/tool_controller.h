@@ -3,11 +3,13 @@
 #pragma once
 
 #include "jobs/edge_guide.h"
+#include "jobs/mirror_guide.h"
 #include "jobs/place_part.h"
 #include "jobs/problem_controller.h"
 #include "tools/bridge_tool.h"
 #include "tools/edges_tool.h"
 #include "tools/measure_tool.h"
+#include "tools/mirror_tool.h"
 #include "tools/tools_panel.h"
 
 #include <QObject>
@@ -32,6 +34,8 @@ class ToolController : public QObject {
   MeasureTool& measure() { return *measure_; }
   EdgesTool& edges() { return *edges_; }
   EdgeGuide& edge_guide() { return *edge_guide_; }
+  MirrorTool& mirror() { return *mirror_; }
+  MirrorGuide& mirror_guide() { return *mirror_guide_; }
 
   void take(Tool tool);
   /// As the buttons do.
@@ -61,6 +65,7 @@ class ToolController : public QObject {
   void give_up_trial();
   void update_wanting();
   void show_region();
+  void show_mirrored();
   ProblemRequest request() const;
   void copy_command();
   void on_placed(int old_scan, int new_scan);
@@ -78,6 +83,8 @@ class ToolController : public QObject {
   MeasureTool* measure_;
   EdgeGuide* edge_guide_;
   EdgesTool* edges_;
+  MirrorGuide* mirror_guide_;
+  MirrorTool* mirror_;
   ProblemController* trial_;
   PlacePart* place_;
   PointsBox* points_box_;

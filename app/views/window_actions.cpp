@@ -173,6 +173,9 @@ const Spec specs[] = {
     {"toolEdgesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Sharp &edges\u2026"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See, remove or draw the sharp edges that run on across holes"),
      "Shift+E", nullptr},
+    {"toolMirrorAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Mirror image\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the plane of symmetry, and what its image would fill"), "Shift+M",
+     nullptr},
     {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
     {"candidatesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Other patches\u2026"),
@@ -312,7 +315,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                           "-",
                           "cancelAction"});
   add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
-                          "toolFillPartAction", "toolEdgesAction", "-", "toolMeasureAction"});
+                          "toolFillPartAction", "toolEdgesAction", "toolMirrorAction", "-", "toolMeasureAction"});
   add_menu(tr("&Help"), {"help", "palette", "shortcuts", "-", "about"});
 }
 

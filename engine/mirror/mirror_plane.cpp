@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace loopmend {
@@ -224,7 +225,9 @@ std::vector<Plane> best_different(std::vector<Plane> found, double extent) {
 MirrorPlane make_mirror_plane(const Vec3& point, const Vec3& normal) {
   if (!point.allFinite() || !normal.allFinite() || !(normal.norm() > 0) || !std::isfinite(normal.norm()))
     throw InvalidArgument(say("a mirror plane needs a point and a normal that is not 0, in finite numbers"));
-  return {point, normal.normalized(), 0};
+  // One that is unit to rounding keeps its bits: what is printed in full and read again is the same plane.
+  const bool is_unit = std::abs(normal.squaredNorm() - 1) < 4 * std::numeric_limits<double>::epsilon();
+  return {point, is_unit ? normal : normal.normalized(), 0};
 }
 
 std::vector<MirrorPlane> find_mirror_planes(const SurfaceModel& model, const CancelToken& cancel) {

@@ -11,6 +11,8 @@
 #include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
+#include "support/mirror_models.h"
+#include "support/sharp_surfaces.h"
 #include "views/file_controller.h"
 #include "views/tool_controller.h"
 
@@ -307,6 +309,23 @@ void show_bridge(MainWindow& window) {
 }
 
 /// Two balls, filled; one of them hidden.
+void show_guides(MainWindow& window) {
+  show_example(window, cut(test::make_cube(16), [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.3; }),
+               QStringLiteral("cube"));
+  window.selection().select({});
+  fly(window, first_hole(window.document()));
+  trigger(window, "toolEdgesAction");
+  wait_until([&] { return !window.tools().edge_guide().busy(); });
+  linger(500);
+  shoot(window, "edges");
+  show_example(window, test::BumpyEllipsoid().open_mesh(4), QStringLiteral("bumps"));
+  trigger(window, "toolMirrorAction");
+  wait_until([&] { return !window.tools().mirror_guide().busy() && !window.tools().mirror_guide().fits().empty(); });
+  linger(1000);
+  shoot(window, "mirror");
+  window.tools().take(Tool::none);
+}
+
 void show_scene(MainWindow& window) {
   TriangleSoup small = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; });
   for (Vec3& p : small.points) p = 0.5 * p + Vec3(2, 0, 0.3);
@@ -399,6 +418,7 @@ int main(int argc, char** argv) {
     show_points(window);
     show_blend(window);
     show_bridge(window);
+    show_guides(window);
     show_mending(window);
     window.autosave().finish();
     return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
@@ -412,6 +432,7 @@ int main(int argc, char** argv) {
   show_points(window);
   show_blend(window);
   show_bridge(window);
+  show_guides(window);
   show_mending(window);
   show_scene(window);
   window.autosave().finish();

@@ -25,7 +25,7 @@ if [[ -n ${3:-} ]]; then
   shoot dark2 2 2800x1800 dark
 fi
 mkdir -p "$pictures" "$gallery"
-for name in window candidates holes patch running display zebra inspect compare region repair; do
+for name in window candidates holes patch running display zebra inspect compare region repair edges mirror likely_error; do
   cp "$folder/light/$name.png" "$pictures/$name.png"
 done
 for example in "$folder"/light/gallery_*.png; do

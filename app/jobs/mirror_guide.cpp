@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/mirror_guide.h"
+
+#include "analysis/curvature_field.h"
+#include "pipeline/initial_patch.h"
+#include "pipeline/mirror_candidate.h"
+
+#include <algorithm>
+
+namespace loopmend {
+namespace {
+
+constexpr std::size_t most_compared = 12;
+
+/// Of one hole, as solve_patch() would copy it.
+MirrorGuide::Fit fit_of(ScanContext& context, int loop, const BoundaryLoop& boundary, const MirrorPlane& plane,
+                        const Vec3& origin, const CancelToken& cancel) {
+  MirrorGuide::Fit result{loop, {}, nullptr};
+  const InitialPatch initial = make_initial_patch(context.model(), {boundary}, {}, cancel);
+  if (!initial.patch || cancel.cancelled()) return result;
+  const std::vector<MirrorPlane> planes{plane};
+  const PatchResult made =
+      mirrored_patch({context.index(), *initial.patch, {boundary}, &planes}, EvolutionOptions{}, cancel);
+  result.fit = made.mirror;
+  if (made.mirror.is_proposed() && is_filled(made.status))
+    result.ghost = std::make_shared<SurfaceShape>(shape_of(made.patch, curvature_field(made.patch), origin));
+  return result;
+}
+
+}  // namespace
+
+MirrorGuide::MirrorGuide(Document& document, const HoleSelection& selection, ContextOf context_of, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      selection_(selection),
+      context_of_(std::move(context_of)) {
+  for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
+    connect(&document_, signal, this, &MirrorGuide::follow);
+  connect(&selection_, &HoleSelection::selection_changed, this, &MirrorGuide::follow);
+}
+
+MirrorGuide::~MirrorGuide() {
+  if (job_) job_->cancel();
+}
+
+void MirrorGuide::watch(Watch what) {
+  watch_ = what;
+  follow();
+}
+
+void MirrorGuide::follow() {
+  int scan = -1;
+  if (watch_ == Watch::scan && document_.has_scan()) {
+    scan = document_.scans().front();
+    for (int loop : selection_.selected())
+      if (document_.present(loop)) scan = document_.scan_of(loop);
+  }
+  if (scan == scan_ && (scan < 0 || document_.scan(scan))) {
+    if (scan >= 0 && plane_ && loops() != compared_) compare();
+    return;
+  }
+  if (job_) job_->cancel();
+  job_.reset();
+  scan_ = scan;
+  planes_.clear();
+  plane_.reset();
+  fits_.clear();
+  compared_.clear();
+  if (scan_ >= 0) find_planes();
+  Q_EMIT changed();
+}
+
+void MirrorGuide::find_planes() {
+  job_ = std::make_shared<Job>(this);
+  tasks_.run(
+      job_, [context = context_of_(scan_), job = job_] { return find_mirror_planes(context->model(), job->token()); },
+      [this](const std::vector<MirrorPlane>& found) {
+        job_.reset();
+        planes_ = found;
+        if (const auto& chosen = document_.mirror_plane(scan_))
+          plane_ = chosen;
+        else if (!found.empty())
+          plane_ = found.front();
+        compare();
+      },
+      [this](const QString&) {  // a preview alone
+        job_.reset();
+        Q_EMIT changed();
+      });
+}
+
+std::vector<int> MirrorGuide::loops() const {
+  std::vector<int> loops;
+  const auto take = [&](int loop) {
+    if (document_.present(loop) && document_.scan_of(loop) == scan_ && document_.fillable(loop) &&
+        !document_.patch_of(loop))
+      loops.push_back(loop);
+  };
+  for (int loop : selection_.selected()) take(loop);
+  if (loops.empty())
+    for (int loop = 0; loop < document_.loop_count(); ++loop) take(loop);
+  std::stable_sort(loops.begin(), loops.end(),
+                   [this](int a, int b) { return document_.loop(a).diameter > document_.loop(b).diameter; });
+  if (loops.size() > most_compared) loops.resize(most_compared);
+  return loops;
+}
+
+void MirrorGuide::compare() {
+  if (job_) job_->cancel();
+  job_.reset();
+  fits_.clear();
+  compared_ = loops();
+  if (plane_ && !compared_.empty()) {
+    std::vector<std::pair<int, BoundaryLoop>> wanted;
+    for (int loop : compared_) wanted.emplace_back(loop, document_.loop(loop));
+    job_ = std::make_shared<Job>(this);
+    tasks_.run(
+        job_,
+        [wanted, plane = *plane_, context = context_of_(scan_), origin = document_.origin(), job = job_] {
+          std::vector<Fit> fits;
+          for (const auto& [loop, boundary] : wanted)
+            fits.push_back(fit_of(*context, loop, boundary, plane, origin, job->token()));
+          return fits;
+        },
+        [this](const std::vector<Fit>& fits) {
+          job_.reset();
+          fits_ = fits;
+          Q_EMIT changed();
+        },
+        [this](const QString&) {
+          job_.reset();
+          Q_EMIT changed();
+        });
+  }
+  Q_EMIT changed();
+}
+
+void MirrorGuide::move_plane(const MirrorPlane& plane) {
+  plane_ = plane;
+  fits_.clear();
+  Q_EMIT changed();
+}
+
+void MirrorGuide::let_go() {
+  if (use() == Use::where_it_fits) document_.set_mirror_plane(scan_, plane_);
+  compare();
+}
+
+void MirrorGuide::use(Use use) {
+  if (scan_ < 0) return;
+  document_.set_mirror_plane(scan_, use == Use::where_it_fits ? plane_ : std::nullopt);
+  Q_EMIT changed();
+}
+
+bool MirrorGuide::shut_down(std::chrono::milliseconds at_most) {
+  if (job_) job_->cancel();
+  return tasks_.wait(at_most);
+}
+
+}  // namespace loopmend
