@@ -153,19 +153,17 @@ void FillController::start_fill(FillRequest request) {
   for (int id : request.patch_ids) loops.merge(loops_of(*document_.patch(id)));
   const QString where = labels::holes(document_, loops);
   const auto ready = preview_;
-  const JobPtr job = [&] {
-    if (!request.flow) {
-      run_name_ = tr("Fill %1").arg(where);
-      return begin_run(Activity::filling, tr("Filling %1").arg(where), loops, request.joining);
-    }
-    run_name_ = request.loops.empty() ? tr("%1 on %2").arg(labels::flow_name(request.flow->flow), where)
+  const bool flows = request.flow.has_value();
+  run_name_ = !flows                  ? tr("Fill %1").arg(where)
+              : request.loops.empty() ? tr("%1 on %2").arg(labels::flow_name(request.flow->flow), where)
                                       : tr("Fill and smooth %1").arg(where);
-    return begin_run(request.pace == Pace::watched ? Activity::running : Activity::solving, run_name_, loops,
-                     request.joining);
-  }();
+  const Activity activity = !flows                          ? Activity::filling
+                            : request.pace == Pace::watched ? Activity::running
+                                                            : Activity::solving;
+  const JobPtr job = begin_run(activity, flows ? run_name_ : tr("Filling %1").arg(where), loops, request.joining);
   announced_later_ = request.loops;
-  if (request.flow) sessions_.clear();
-  if (!request.flow && ready && ready->loops == loops && ready->choice == request.choice) {
+  if (flows) sessions_.clear();
+  if (!flows && ready && ready->loops == loops && ready->choice == request.choice) {
     run_->place(ready->runs);
     on_run_ended(ready->outcome);
     return;
@@ -175,7 +173,7 @@ void FillController::start_fill(FillRequest request) {
       job->post([this, done, all] { Q_EMIT progress_changed(done, all); });
     };
   std::function<void()> wake;  // where no flow follows, all appear at once
-  if (request.flow)
+  if (flows)
     wake = [this, job, wait = total > most_live ? 1000 : 0] {
       job->post([this, job, wait] {
         QTimer::singleShot(wait, this, [this, job] {
