@@ -225,7 +225,7 @@ bool FlowCanvas::drag_line(QEvent* event) {
   const auto type = event->type();
   if (type != QEvent::MouseMove && type != QEvent::MouseButtonPress && type != QEvent::MouseButtonRelease) return false;
   const auto* mouse = static_cast<QMouseEvent*>(event);
-  const bool near = std::abs(mouse->pos().x() - impl_->line * impl_->canvas->width()) <= grip_px;
+  const bool on_line = std::abs(mouse->pos().x() - impl_->line * impl_->canvas->width()) <= grip_px;
   if (impl_->drag == Impl::Drag::line) {
     if (type == QEvent::MouseMove)
       set_line(static_cast<double>(mouse->pos().x()) / std::max(1, impl_->canvas->width()));
@@ -233,8 +233,8 @@ bool FlowCanvas::drag_line(QEvent* event) {
     return true;
   }
   if (type == QEvent::MouseMove && mouse->buttons() == Qt::NoButton)
-    impl_->canvas->setCursor(near ? Qt::SplitHCursor : Qt::ArrowCursor);
-  if (type != QEvent::MouseButtonPress || !near || mouse->button() != Qt::LeftButton) return false;
+    impl_->canvas->setCursor(on_line ? Qt::SplitHCursor : Qt::ArrowCursor);
+  if (type != QEvent::MouseButtonPress || !on_line || mouse->button() != Qt::LeftButton) return false;
   impl_->drag = Impl::Drag::line;
   return true;
 }

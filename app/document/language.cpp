@@ -12,9 +12,12 @@ static void load_translations() { Q_INIT_RESOURCE(translations); }
 namespace loopmend {
 namespace {
 
+constexpr const char* built_in_words = ":/translations";
+
+/// From the folder, else from the program itself.
 void install(const QString& file, const QString& folder) {
   auto* translator = new QTranslator(QCoreApplication::instance());
-  if (translator->load(file, folder)) {
+  if (translator->load(file, folder) || translator->load(file, QLatin1String(built_in_words))) {
     QCoreApplication::installTranslator(translator);
   } else {
     delete translator;
@@ -30,7 +33,7 @@ void install_language(const QString& wanted) {
   QString language = wanted.isEmpty() ? QLocale::system().name().section(QLatin1Char('_'), 0, 0) : wanted;
   if (language != QStringLiteral("de")) language = QStringLiteral("en");
   install(QStringLiteral("qtbase_") + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
-  install(QStringLiteral("loopmend_") + language, QStringLiteral(":/translations"));
+  install(QStringLiteral("loopmend_") + language, QLatin1String(built_in_words));
   QLocale::setDefault(QLocale(language));
 }
 

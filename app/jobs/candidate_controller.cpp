@@ -29,12 +29,12 @@ std::shared_ptr<const SurfaceShape> surface_around(const SurfaceShape& scan, con
     const auto at = 3 * static_cast<std::size_t>(v);
     return (Vec3(scan.points[at], scan.points[at + 1], scan.points[at + 2]) - middle).norm() < most;
   };
-  std::vector<int> near;
+  std::vector<int> close;
   for (std::size_t t = 0; t + 2 < scan.triangles.size(); t += 3)
     if (is_near(scan.triangles[t]) || is_near(scan.triangles[t + 1]) || is_near(scan.triangles[t + 2]))
-      near.push_back(static_cast<int>(t / 3));
+      close.push_back(static_cast<int>(t / 3));
   std::vector<int> number(scan.points.size() / 3, -1);
-  const std::shared_ptr<SurfaceShape> around = with_triangles(scan, near, number);
+  const std::shared_ptr<SurfaceShape> around = with_triangles(scan, close, number);
   const auto reduced = reduced_shape(*around);
   return reduced ? reduced : around;
 }

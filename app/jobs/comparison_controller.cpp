@@ -66,7 +66,7 @@ ComparisonController::~ComparisonController() {
 void ComparisonController::prepare() {
   job_ = std::make_shared<Job>(this);
   struct Prepared {
-    std::shared_ptr<const SurfaceShape> near;
+    std::shared_ptr<const SurfaceShape> close;
     ComparedRunPtr start;
   };
   tasks_.run(
@@ -74,14 +74,14 @@ void ComparisonController::prepare() {
       [job = job_, source = source_]() -> Prepared {
         const Patch patch = source.start(job->token());
         if (job->token().cancelled()) return {};
-        const auto near = source.neighborhood ? near_shape(source.neighborhood, patch, source.origin) : nullptr;
+        const auto close = source.neighborhood ? near_shape(source.neighborhood, patch, source.origin) : nullptr;
         auto state = seen(patch, first_edge(patch), source.origin);
         state->energies = patch_energies(patch);
-        return {near, state};
+        return {close, state};
       },
       [this](const Prepared& prepared) {
         job_.reset();
-        neighborhood_ = prepared.near;
+        neighborhood_ = prepared.close;
         start_ = prepared.start;
         forget_results();
         stage_ = Stage::ready;

@@ -21,11 +21,11 @@ std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const Surfa
     if (patch.ring[static_cast<std::size_t>(i)] <= 1)
       box.extend(Vec3(patch.to_mesh(patch.positions[static_cast<std::size_t>(i)]) - origin));
   const Eigen::Vector3f middle = box.center().cast<float>();
-  const auto far = static_cast<float>(reach * box.diagonal().norm());
+  const auto too_far = static_cast<float>(reach * box.diagonal().norm());
   std::vector<char> left_out(shape->triangles.size() / 3, 0);
   for (std::size_t t = 0; t < left_out.size(); ++t) {
     const auto at = 3 * static_cast<std::size_t>(shape->triangles[3 * t]);
-    left_out[t] = (Eigen::Map<const Eigen::Vector3f>(shape->points.data() + at) - middle).norm() > far;
+    left_out[t] = (Eigen::Map<const Eigen::Vector3f>(shape->points.data() + at) - middle).norm() > too_far;
   }
   return without_triangles(*shape, left_out);
 }

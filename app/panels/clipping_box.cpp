@@ -54,7 +54,7 @@ void ClippingBox::turn_off() {
 void ClippingBox::change() {
   clipping_.across = static_cast<Clipping::Across>(across_->currentData().toInt());
   clipping_.place = static_cast<double>(place_->value()) / place_->maximum();
-  clipping_.drawn = near_->isChecked() ? Clipping::Side::near : Clipping::Side::far;
+  clipping_.drawn = near_->isChecked() ? Clipping::Side::in_front : Clipping::Side::behind;
   const bool on = clipping_.across != Clipping::Across::nothing;
   place_->setVisible(on);
   near_->setVisible(on);

@@ -16,7 +16,7 @@ struct ClippingPlane {
 struct Clipping {
   enum class Across { nothing, line_of_sight, x, y, z } across = Across::nothing;
   double place = 0.5;  ///< 0..1, of the way through the scene
-  enum class Side { far, near } drawn = Side::far;
+  enum class Side { behind, in_front } drawn = Side::behind;
 
   bool operator==(const Clipping&) const = default;
 };

@@ -56,9 +56,9 @@ int LoopPicker::pick(double x, double y, double reach, const DepthAt& depth_at) 
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Pixel &a = loop[i], &b = loop[(i + 1) % loop.size()];
       if (a.z() < 0 || b.z() < 0) continue;
-      const Nearest near = nearest_on_segment(x, y, a, b);
-      if (near.distance >= best_distance || !visible(near.at, depth_at)) continue;
-      best_distance = near.distance;
+      const Nearest nearest = nearest_on_segment(x, y, a, b);
+      if (nearest.distance >= best_distance || !visible(nearest.at, depth_at)) continue;
+      best_distance = nearest.distance;
       best = static_cast<int>(l);
     }
   }

@@ -262,7 +262,7 @@ void MeshView::set_clipping(const Clipping& clipping) {
     const Vec3 half = 0.5 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
     const double reach = half.dot(way.cwiseAbs());
     plane = ClippingPlane{middle + (2 * clipping.place - 1) * reach * way,
-                          clipping.drawn == Clipping::Side::far ? way : Vec3(-way)};
+                          clipping.drawn == Clipping::Side::behind ? way : Vec3(-way)};
   }
   impl_->scene.set_clipping(plane);
   redraw();

@@ -44,7 +44,7 @@ def reached(files, roots):
 def overriding(module):
     """Classes that the factory of the module makes on Windows."""
     text = (module / "CMakeLists.txt").read_text()
-    yield from re.findall(r"OVERRIDE (vtkWin32\w+)", text)
+    yield from re.findall(r"OVERRIDE (vtk(?:Win32|Dummy)\w+)", text)
     for block in re.findall(r"set\(opengl_overrides\s+([^)]*)\)", text):
         yield from ("vtkOpenGL" + word for word in block.split())
 
