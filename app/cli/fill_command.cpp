@@ -411,7 +411,7 @@ int run_fill(const FillCommand& command) {
     print_losses(out, command.output, losses);
     print_beside(out, written);
     print_import_losses(out, opened.report);
-    if (!scan.near.closing.empty()) print_coincident(out, opened.report, scan.loops);
+    if (!scan.coincident.closing.empty()) print_coincident(out, opened.report, scan.loops);
     if (outcome.open_cuts > 0 && !outcome.in_vain() && command.job.prepare.extent == PrepareOptions::Extent::as_asked)
       std::fprintf(
           out, "%s left open: fill again with --auto.\n",

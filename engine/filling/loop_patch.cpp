@@ -114,7 +114,7 @@ FillContext make_wide_context(const SurfaceModel& model, const TriangleIndex& in
     box.extend(model.mesh.point(TriMesh::VertexHandle(loop.vertices[i])));
   }
   Triangles near;
-  for (int f : index.near(box.min(), box.max())) near.push_back(model.soup.triangles[f]);
+  for (int f : index.near_box(box.min(), box.max())) near.push_back(model.soup.triangles[f]);
   for (Triangle t : sorted_by_position(model.soup.points, std::move(near))) {
     for (int& v : t) {
       const auto [entry, added] = place.emplace(v, static_cast<int>(context.points.size()));

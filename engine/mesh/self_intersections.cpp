@@ -368,7 +368,7 @@ TriangleIndex::~TriangleIndex() = default;
 TriangleIndex::TriangleIndex(TriangleIndex&&) noexcept = default;
 TriangleIndex& TriangleIndex::operator=(TriangleIndex&&) noexcept = default;
 
-std::vector<int> TriangleIndex::near(const Vec3& low, const Vec3& high) const {
+std::vector<int> TriangleIndex::near_box(const Vec3& low, const Vec3& high) const {
   const Eigen::AlignedBox3d asked(low, high);
   const TreeBox box({low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()});
   std::vector<int> found;
@@ -386,7 +386,7 @@ bool runs_through(const Points& points, const Triangles& triangles, const Triang
   if (p == q) return false;
   const auto exact = [](const Vec3& v) { return Kernel::Point_3(v.x(), v.y(), v.z()); };
   const Kernel::Segment_3 edge(exact(p), exact(q));
-  const std::vector<int> near = index.near(p.cwiseMin(q), p.cwiseMax(q));
+  const std::vector<int> near = index.near_box(p.cwiseMin(q), p.cwiseMax(q));
   return std::any_of(near.begin(), near.end(), [&](int f) {
     const Triangle& t = triangles[f];
     // A corner in the same place, as along a seam, is a common one.

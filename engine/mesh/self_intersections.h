@@ -34,7 +34,7 @@ class TriangleIndex {
   TriangleIndex(TriangleIndex&&) noexcept;
   TriangleIndex& operator=(TriangleIndex&&) noexcept;
   /// Triangles whose bounding box meets the box; ascending. Safe to call from several threads.
-  std::vector<int> near(const Vec3& low, const Vec3& high) const;
+  std::vector<int> near_box(const Vec3& low, const Vec3& high) const;
 
  private:
   struct Impl;

@@ -63,7 +63,7 @@ Cropped mirrored_neighborhood(const SurfaceModel& model, const TriangleIndex& in
   const Vec3 middle = plane.image_of(patch.to_mesh(center)), reach = Vec3::Constant(radius * patch.scale);
   Cropped cropped;
   std::unordered_map<int, int> number;
-  for (int f : index.near(middle - reach, middle + reach)) {
+  for (int f : index.near_box(middle - reach, middle + reach)) {
     const Triangle& t = model.soup.triangles[f];
     const bool near = std::any_of(t.begin(), t.end(),
                                   [&](int v) { return (model.soup.points[v] - middle).norm() < radius * patch.scale; });

@@ -106,7 +106,7 @@ std::vector<int> crossing_faces(const SurfaceModel& model, const std::set<int>& 
       local.push_back({first, first + 1, first + 2});
     };
     add(f);
-    for (int g : index.near(low, high))
+    for (int g : index.near_box(low, high))
       if (g != f) add(g);
     if (!self_intersections(corners, local, 1).empty()) crossing.push_back(f);
   }

@@ -107,7 +107,7 @@ class Bender {
       }
       box.extend(here);
       if (piece.size() > most_crumb_faces || box.diagonal().norm() > largest_crumb * extent_) return {};
-      for (int next : scan_.index.near(here.min(), here.max())) {
+      for (int next : scan_.index.near_box(here.min(), here.max())) {
         const Triangle& n = soup().triangles[next];
         if (std::find_first_of(n.begin(), n.end(), t.begin(), t.end()) != n.end() && seen.insert(next).second)
           piece.push_back(next);

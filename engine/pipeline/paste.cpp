@@ -70,7 +70,7 @@ class PlacedParts {
   PlacedPart& operator[](std::size_t place) { return parts_[place]; }
   /// The first pasted one that the part at this place intersects; null where there is none.
   const PlacedPart* pasted_across(std::size_t place) const {
-    for (int other : index_->near(parts_[place].box.min(), parts_[place].box.max()))
+    for (int other : index_->near_box(parts_[place].box.min(), parts_[place].box.max()))
       if (parts_[other].is_pasted && parts_[place].intersects(parts_[other])) return &parts_[other];
     return nullptr;
   }

@@ -97,15 +97,15 @@ constexpr double crack_in_edges = 0.01;
 void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
   const bool named = job.loops.names_loops();
   if (plan.loops.empty() || job.prepare.stitch == PrepareOptions::Stitch::yes) return;
-  plan.near = near_boundaries(plan.model);
-  if (plan.near.closing.empty() || named) return;
+  plan.coincident = near_boundaries(plan.model);
+  if (plan.coincident.closing.empty() || named) return;
   const NearBoundaries nearest = near_boundaries(plan.model, {crack_in_edges, std::nullopt});
   for (std::size_t k = 0; k < plan.loops.size(); ++k) {
     const BoundaryLoop& loop = plan.loops[k];
     LoopChoice& choice = plan.choices[k];
     const bool is_rim = loop.kind == LoopKind::outer_rim;
     if (choice.left != LoopChoice::Left::as_asked || (!choice.fill && !is_rim)) continue;
-    const int closing = closing_edges(plan.model, loop, is_rim ? plan.near : nearest);
+    const int closing = closing_edges(plan.model, loop, is_rim ? plan.coincident : nearest);
     if (2 * closing <= loop.edges()) continue;
     choice.fill = false;
     choice.left = LoopChoice::Left::wide_crack;
@@ -122,7 +122,7 @@ void name_cures(ScanPlan& plan, const ScanJob& job) {
   for (std::size_t k = 0; k < plan.loops.size(); ++k) {
     LoopChoice& choice = plan.choices[k];
     if (choice.cure == LoopChoice::Cure::repair && !job.prepare.repair.empty()) choice.cure = LoopChoice::Cure::none;
-    if (choice.cure == LoopChoice::Cure::stitch && closing_edges(plan.model, plan.loops[k], plan.near) == 0)
+    if (choice.cure == LoopChoice::Cure::stitch && closing_edges(plan.model, plan.loops[k], plan.coincident) == 0)
       choice.cure = LoopChoice::Cure::none;
     switch (choice.cure) {
       case LoopChoice::Cure::none: break;
@@ -232,7 +232,7 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
     results.push_back(done != filled.end() ? std::move(done->second)
                                            : open_hole(plan.loops[k], PatchStatus::skipped, choice.why_not));
     const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
-    const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.near) : 0;
+    const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.coincident) : 0;
     if (closing > 0)
       results[k].message =
           joined(say("%1 of its edges lie beside another within a tenth of their length: --stitch joins them", closing),

@@ -34,7 +34,7 @@ struct ScanPlan {
   Preparation done;
   std::vector<BoundaryLoop> loops;
   std::vector<LoopChoice> choices;         ///< one for each loop
-  NearBoundaries near;                     ///< where --stitch would join something; empty where it was asked for
+  NearBoundaries coincident;               ///< where --stitch would join something; empty where it was asked for
   std::vector<BadBoundaryFace> trimmed;    ///< faces of the mesh as it was before --trim-boundary
   std::vector<BadBoundaryFace> trimmable;  ///< bad triangles at the loops to fill, where trimming can be proposed
   std::size_t spared_pieces = 0;           ///< of which --trim-boundary would have taken too much

@@ -30,7 +30,7 @@ std::vector<std::pair<int, int>> cuts(const ScanIndex& scan, const PatchGeometry
   std::vector<int> soup_face;
   std::unordered_map<int, int> local;
   for (int i = 0; i < boundary; ++i) local.emplace(scan.model.soup_vertex[patch.boundary[i]], i);
-  for (int f : scan.index.near(box.min(), box.max())) {
+  for (int f : scan.index.near_box(box.min(), box.max())) {
     Triangle t = soup.triangles[f];
     for (int& v : t) {
       const auto [entry, added] = local.emplace(v, static_cast<int>(points.size()));
@@ -73,7 +73,7 @@ int new_nonmanifold_edges(const ScanIndex& scan, const Patch& patch) {
   ChordFaces chords;
   chords.add_chords(scan.model, geometry);
   for (const Vec3& end : chords.ends()) {
-    const std::vector<int> near = scan.index.near(end, end);
+    const std::vector<int> near = scan.index.near_box(end, end);
     at_boundary.insert(at_boundary.end(), near.begin(), near.end());
   }
   std::sort(at_boundary.begin(), at_boundary.end());

@@ -381,10 +381,10 @@ TEST(SelfIntersections, AFoldOntoTheNeighbourCountsACrackDoesNot) {
 TEST(TriangleIndex, FindsWhatTheBoxMeets) {
   const TriangleSoup sphere = make_icosphere(3);
   const TriangleIndex index(sphere.points, sphere.triangles);
-  EXPECT_EQ(index.near({-2, -2, -2}, {2, 2, 2}).size(), sphere.triangles.size());
-  EXPECT_TRUE(index.near({3, 3, 3}, {4, 4, 4}).empty());
+  EXPECT_EQ(index.near_box({-2, -2, -2}, {2, 2, 2}).size(), sphere.triangles.size());
+  EXPECT_TRUE(index.near_box({3, 3, 3}, {4, 4, 4}).empty());
   const Eigen::AlignedBox3d box(Vec3(0.9, -0.1, -0.1), Vec3(1.1, 0.1, 0.1));
-  std::vector<int> met, found = index.near(box.min(), box.max());
+  std::vector<int> met, found = index.near_box(box.min(), box.max());
   for (std::size_t f = 0; f < sphere.triangles.size(); ++f) {
     Eigen::AlignedBox3d own;
     for (int v : sphere.triangles[f]) own.extend(sphere.points[v]);
