@@ -208,7 +208,8 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
   if (grade == Grade::bad) return sentence;
   // No praise for a sharp crease, nor for one that is sharper than before.
   const bool creased = now.g1_rms_deg > sharp_crease_deg || now.g1_rms_deg > before.g1_rms_deg + 1;
-  if (before.h_jump_rms > 0 && now.h_jump_rms < before.h_jump_rms && !creased)
+  constexpr double worth_a_word = 0.95;  // "1.00 times smaller" says nothing
+  if (before.h_jump_rms > 0 && now.h_jump_rms < worth_a_word * before.h_jump_rms && !creased)
     sentence +=
         QLatin1Char(' ') + (stage == PatchStatus::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
                                                          : tr("The flow made the jump of curvature %1 times smaller."))
