@@ -30,6 +30,7 @@ constexpr double farthest_seam = 0.6;  ///< from where the labels change, diamet
 /// Diameters of the loop: where an edge fades out farther off, its sides are one beyond that. The first that can be continued counts.
 constexpr std::array reaches = {1.0, 0.5, 0.25};
 constexpr double domain_triangles = 2500;
+constexpr int most_joins = 8;  ///< of sides at stopped edges
 constexpr int remesh_rounds = 5;
 
 /// The interior of the patch, fine enough for the labels to follow the seams.
@@ -303,8 +304,10 @@ std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const LoopE
   if (!edits.drawn.empty()) tolerance = {most_drawn_misfit, most_drawn_misfit_anywhere};
   for (const double reach : reaches) {
     SideEdits side_edits{edits.drawn, {}};
-    // Each round joins two sides at least.
-    while (const std::optional<Sides> sides = sharp_sides(initial, reach, side_edits)) {
+    // Each round joins two sides, where a surface fits both.
+    for (int round = 0; round < most_joins && !cancel.cancelled(); ++round) {
+      const std::optional<Sides> sides = sharp_sides(initial, reach, side_edits);
+      if (!sides) break;
       std::vector<std::pair<int, int>> joined;
       std::optional<SharpPatch> patch = continue_sides(initial, *sides, tolerance, edits.stopped, joined, cancel);
       if (patch && joined.empty()) return patch;
