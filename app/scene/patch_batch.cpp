@@ -3,6 +3,7 @@
 
 #include <vtkActor.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace loopmend {
@@ -32,6 +33,8 @@ std::shared_ptr<const SurfaceShape> joined(const PatchBatch::Shapes& shapes) {
       all->colors.insert(all->colors.end(), shape->colors.begin(), shape->colors.end());
     append_triangles(corners, *shape, 0, static_cast<std::size_t>(shape->own_triangles), shifts.back());
   }
+  if (std::all_of(shapes.begin(), shapes.end(), [](const auto& entry) { return entry.second->deviation.empty(); }))
+    all->deviation.clear();
   all->own_triangles = static_cast<int>(corners.size() / 3);
   std::size_t k = 0;
   for (const auto& [id, shape] : shapes)
