@@ -18,7 +18,7 @@ constexpr std::chrono::milliseconds watched_step{250};
 
 /// The wanted loops, and those that were filled before and lie so near that they are solved jointly.
 std::vector<BoundaryLoop> with_neighbors(const FillTask& task, const std::map<int, BoundaryLoop>& wanted) {
-  std::vector<BoundaryLoop> all, near;
+  std::vector<BoundaryLoop> all, nearby;
   for (const auto& [index, loop] : wanted) all.push_back(loop);
   const auto first_filled = static_cast<int>(all.size());
   if (task.filled.empty() || wanted.empty()) return all;
@@ -26,9 +26,9 @@ std::vector<BoundaryLoop> with_neighbors(const FillTask& task, const std::map<in
     if (!wanted.contains(index)) all.push_back(loop);
   for (const std::vector<int>& group : group_loops(task.scan_context->model(), all))
     if (std::any_of(group.begin(), group.end(), [&](int k) { return k < first_filled; }))
-      for (int k : group) near.push_back(all[static_cast<std::size_t>(k)]);
-  std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
-  return near;
+      for (int k : group) nearby.push_back(all[static_cast<std::size_t>(k)]);
+  std::sort(nearby.begin(), nearby.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  return nearby;
 }
 
 /// What the engine says of the holes of one task, as states that can be shown.
