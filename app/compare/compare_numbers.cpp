@@ -195,7 +195,7 @@ void CompareNumbers::show_across(Across across) {
 
 void CompareNumbers::update_across() {
   across_title_->setText(across_ == Across::curvature ? tr("H across the seam, patch right of 0")
-                                                      : tr("Vertices at each distance, %"));
+                                                      : tr("% of vertices at each distance"));
   across_ == Across::curvature ? update_profiles() : update_histogram();
 }
 
@@ -204,14 +204,16 @@ void CompareNumbers::update_histogram() {
   double reach = 0;
   for (int graph = 0; graph < flows; ++graph) profiles_->set_data(graph, {}, {});
   for (int flow_run = 0; flow_comparison_.start() && flow_run < flow_comparison_.flow_runs(); ++flow_run)
-    reach = std::max(reach, summary_of(flow_comparison_.flow_run(flow_run)->distances).nearly_all);
+    reach = std::max(reach, summary_of(flow_comparison_.flow_run(flow_run)->distances).largest);
   for (int flow_run = 0; reach > 0 && flow_run < flow_comparison_.flow_runs(); ++flow_run) {
     const std::vector<double>& distances = flow_comparison_.flow_run(flow_run)->distances;
+    if (summary_of(distances).largest == 0) continue;  // what the others are measured from would hide them
     QVector<double> middle(bins), share(bins, 0);
     for (int k = 0; k < bins; ++k) middle[k] = reach * ((2.0 * k + 1) / bins - 1);
     for (double d : distances)
-      if (std::abs(d) < reach)
-        share[static_cast<int>(bins * (d + reach) / (2 * reach))] += 100.0 / static_cast<double>(distances.size());
+      if (!std::isnan(d))
+        share[std::min(bins - 1, static_cast<int>(bins * (d + reach) / (2 * reach)))] +=
+            100.0 / static_cast<double>(distances.size());
     profiles_->set_data(static_cast<int>(flow_comparison_.flow(flow_run)), middle, share);
   }
   profiles_->show_words(reach > 0 ? QString() : tr("There is no distance to draw."));

@@ -113,21 +113,21 @@ void FlowView::set_use(Use use) {
 
 void FlowView::show_flow_run(const ComparedRun& flow_run, const QString& accepting) {
   const SeamFigures seam = seam_figures(flow_run.seams);
-  words_ =
-      stage_words(flow_run) + tr(" \u00b7 \u222b|\u2207H|\u00b2 %1").arg(labels::number(flow_run.energies.variation));
-  QString in_full = stage_words(flow_run) + QLatin1Char('\n') +
-                    tr("Energy \u222b|\u2207H|\u00b2 %1").arg(labels::number(flow_run.energies.variation));
-  if (!flow_run.seams.empty()) {
-    words_ += tr(" \u00b7 %1\u00b0 \u00b7 \u0394H %2").arg(labels::number(seam.angle), labels::number(seam.jump));
-    in_full += QLatin1Char('\n') + tr("At the seam: angle %1\u00b0 (rms), jump of H %2 (rms)")
-                                       .arg(labels::number(seam.angle), labels::number(seam.jump));
-  }
+  words_ = stage_words(flow_run);
+  QString in_full = words_;
   if (!flow_run.distances.empty()) {
     const DistanceSummary off = summary_of(flow_run.distances);
     words_ += tr(" \u00b7 off %1").arg(labels::number(off.rms));
     in_full += QLatin1Char('\n') +
                tr("Distance: %1 rms, 95 % within %2, at most %3")
                    .arg(labels::number(off.rms), labels::number(off.nearly_all), labels::number(off.largest));
+  }
+  words_ += tr(" \u00b7 \u222b|\u2207H|\u00b2 %1").arg(labels::number(flow_run.energies.variation));
+  in_full += QLatin1Char('\n') + tr("Energy \u222b|\u2207H|\u00b2 %1").arg(labels::number(flow_run.energies.variation));
+  if (!flow_run.seams.empty()) {
+    words_ += tr(" \u00b7 %1\u00b0 \u00b7 \u0394H %2").arg(labels::number(seam.angle), labels::number(seam.jump));
+    in_full += QLatin1Char('\n') + tr("At the seam: angle %1\u00b0 (rms), jump of H %2 (rms)")
+                                       .arg(labels::number(seam.angle), labels::number(seam.jump));
   }
   if (!flow_run.message.empty()) in_full += QLatin1Char('\n') + labels::sentence(labels::in_words(flow_run.message));
   figures_->setText(words_);

@@ -190,8 +190,7 @@ QString html_of(const FillReport& report, PictureLinks links) {
     const FillReport::Hole& hole = report.holes[k];
     html += QStringLiteral("<tr><td>%1</td><td><h3>%2: <span style=\"color:%3\">%4</span></h3>\n")
                 .arg(picture_of(hole, k, links), hole.name.toHtmlEscaped(), hole.color, hole.verdict.toHtmlEscaped());
-    for (const QString& line : hole.lines) html += paragraph(line);
-    html += QStringLiteral("</td></tr>\n");
+    html += paragraph(hole.lines.join(QLatin1Char('\n'))) + QStringLiteral("</td></tr>\n");
   }
   html += QStringLiteral("</table>\n");
   if (!report.open.isEmpty()) html += QStringLiteral("<h2>%1</h2>\n").arg(tr("Open loops"));

@@ -172,8 +172,10 @@ void ComparisonController::measure() {
   states.push_back(start_);
   const Patch* patch = from_->kind == DistanceFrom::Kind::start ? &start_->patch : nullptr;
   for (const ComparedRunPtr& state : newest_)
-    if (from_->kind == DistanceFrom::Kind::flow && state->flow == from_->flow) patch = &state->patch;
-  if (!patch && from_->kind == DistanceFrom::Kind::flow) {  // no view has it
+    if (from_->kind == DistanceFrom::Kind::flow && state->flow == from_->flow &&
+        state->stage != ComparedRun::Stage::start)
+      patch = &state->patch;
+  if (!patch && from_->kind == DistanceFrom::Kind::flow) {  // no view has it, or it has not run
     for (ComparedRunPtr& state : newest_) state = without_distances(*state);
     Q_EMIT measured();
     return;

@@ -15,21 +15,6 @@ namespace {
 
 QString translated(const char* text) { return QCoreApplication::translate("loopmend::FilmSource", text); }
 
-/// What the colors of the film stand for.
-QString shown_by(Shading shading) {
-  switch (shading) {
-    case Shading::curvature: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "mean curvature"));
-    case Shading::gaussian: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "Gaussian curvature"));
-    case Shading::zebra: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "reflected stripes"));
-    case Shading::isophotes: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "isophotes"));
-    case Shading::deviation: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "likely error"));
-    case Shading::scan: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the scan's colours"));
-    case Shading::difference:
-    case Shading::plain: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the surface"));
-  }
-  return {};
-}
-
 /// In the upper left corner, on a ground of its own: it may lie over the surface.
 void write_caption(QImage& picture, const QString& words) {
   QPainter painter(&picture);
@@ -62,6 +47,20 @@ FilmedPatches filmed(const Document& document, const std::set<int>& patches) {
 }
 
 }  // namespace
+
+QString shown_by(Shading shading) {
+  switch (shading) {
+    case Shading::curvature: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "mean curvature"));
+    case Shading::gaussian: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "Gaussian curvature"));
+    case Shading::zebra: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "reflected stripes"));
+    case Shading::isophotes: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "isophotes"));
+    case Shading::deviation: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "likely error"));
+    case Shading::scan: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the scan's colours"));
+    case Shading::difference:
+    case Shading::plain: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the surface"));
+  }
+  return {};
+}
 
 QString film_caption(const PatchState& state, int steps, Shading shading) {
   if (state.steps == 0)

@@ -13,6 +13,9 @@ namespace loopmend {
 class Document;
 class MeshView;
 
+/// "mean curvature"
+QString shown_by(Shading shading);
+
 /// "MMCVF, step 4 of 7: mean curvature". No flow is named where the step was not one of a flow.
 /// @param steps  of the whole film.
 QString film_caption(const PatchState& state, int steps, Shading shading);

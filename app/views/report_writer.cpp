@@ -2,7 +2,9 @@
 #include "views/report_writer.h"
 
 #include "document/file_path.h"
+#include "document/labels.h"
 #include "jobs/write_report.h"
+#include "views/film_source.h"
 #include "views/mesh_view.h"
 
 #include <QDir>
@@ -24,7 +26,7 @@ QImage picture_of_hole(MeshView& view, int loop) {
   const Viewpoint before = view.viewpoint();
   view.set_viewpoint(view.viewpoint_above(loop));
   const QImage picture =
-      view.picture({supersampling * size, PictureOptions::Ground::as_seen, PictureOptions::Extras::legend});
+      view.picture({supersampling * size, PictureOptions::Ground::as_seen, PictureOptions::Extras::none});
   view.set_viewpoint(before);
   return picture.isNull() ? picture : picture.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
@@ -56,6 +58,8 @@ void ReportWriter::write(const QString& path) {
   if (busy() || !document_.has_scan()) return;
   path_ = path;
   report_ = fill_report(document_);
+  if (const Shading shading = view_.look().shading; is_colored(shading))
+    report_.facts << tr("Colours: %1, up to %2 at the ends.").arg(shown_by(shading), labels::number(view_.range()));
   drawn_ = 0;
   const auto pictures = static_cast<int>(std::min(report_.holes.size(), most_pictures));
   progress_ = std::make_unique<QProgressDialog>(tr("Drawing the holes\u2026"), tr("Cancel"), 0, pictures + 1, window_);

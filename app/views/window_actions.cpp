@@ -47,7 +47,7 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Write the flow on the selected patches, or on all, as a film (animated GIF)"),
      "", nullptr},
-    {"report", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write &report\u2026"),
+    {"report", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write re&port\u2026"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Write a page with a picture of each patch, its verdict and what was added (HTML or PDF)"),
      "", nullptr},

@@ -359,9 +359,9 @@ void CompareTest::distances_between_flows_and_from_a_mesh() {
   QVERIFY(off(mcf).mean < 0);
   QVERIFY(in<QLabel>(*window, "paneFigures0")->text().contains(QStringLiteral("off")));
   QVERIFY(count_colors(window->picture({QSize(800, 600)})) >= 64);
-  QVERIFY(in<Plot>(*window, "compareProfiles")->values(mcf).size() > 10);
+  QVERIFY(in<Plot>(*window, "compareProfiles")->values(mmcvf).isEmpty());  // it would hide the others
   double all = 0;
-  for (double share : in<Plot>(*window, "compareProfiles")->values(mmcvf)) all += share;
+  for (double share : in<Plot>(*window, "compareProfiles")->values(mcf)) all += share;
   QVERIFY(std::abs(all - 100) < 1e-6);
 
   // A chord of the icosphere is 0.0035 below the unit sphere.
