@@ -73,10 +73,8 @@ def by_cgal(points, faces, continuity):
             polygon.append(int(v))
         polygons.append(polygon)
     processing.polygon_soup_to_polygon_mesh(soup, polygons, mesh)
-    for h in mesh.halfedges():
-        if h.is_border():
-            processing.triangulate_refine_and_fair_hole(mesh, h, [], [], math.sqrt(2), continuity)
-            break
+    while (hole := next((h for h in mesh.halfedges() if h.is_border()), None)) is not None:
+        processing.triangulate_refine_and_fair_hole(mesh, hole, [], [], math.sqrt(2), continuity)
     number, places, corners = {}, [], []
     for f in mesh.facets():
         h, corner = f.halfedge(), []
