@@ -44,7 +44,7 @@ double SemiImplicit::decay_rate(const EvolvingPatch& patch, const CancelToken& c
   return decay_rate_ = rate > 0 ? rate : 1;
 }
 
-/// M(I/τ − J) s = M V, which is nearly symmetric.
+/// M(I/τ − V') s = M V, which is nearly symmetric.
 SolveReport SemiImplicit::solve(const EvolvingPatch& patch, const FlowSystem& system, Eigen::VectorXd& s,
                                 const CancelToken& cancel) {
   const Patch& surface = patch.state.patch;
