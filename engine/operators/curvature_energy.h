@@ -29,7 +29,7 @@ CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weight
 double energy_value(const Patch& patch, const EnergyWeights& weights, const Eigen::VectorXd& H);
 
 /// B = ∂H/∂s, #V by n, for displacements s along the normals of the free vertices (exact for frozen fit
-/// coordinates; docs/dev/numerics.md, "Gauss-Newton step"): B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩ − ⟨2H_i w^∇_ij − w^◇_ij, n_j⟩.
+/// coordinates; docs/math/energy_to_matrix.md, "Gauss-Newton step"): B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩ − ⟨2H_i w^∇_ij − w^◇_ij, n_j⟩.
 RowSparseMatrix curvature_jacobian(const OperatorSet& ops, int free_count);
 
 /// ∂(Hᵀ Q H)/∂s at fixed H: how the energy changes with the metric alone. n.

@@ -42,7 +42,7 @@ struct SplitEstimate {
   NeighborhoodKind kind() const;
 };
 
-/// By restricted maximum likelihood (Patterson, Thompson 1971): docs/math/irregular_boundaries.md. Of large neighborhood, parts.
+/// By restricted maximum likelihood (Patterson, Thompson 1971): docs/math/irregular_boundaries.md, "The two parameters". Of large neighborhood, parts.
 /// @param patch  its free vertices and own triangles are not looked at. @returns exact where there is too little to tell, and
 /// something of no use when cancelled; of infinite relief where the split cannot be made.
 SplitEstimate estimate_split(const Patch& patch, const CancelToken& cancel = {});

@@ -100,7 +100,7 @@ Eigen::RowVectorXd papers_row(const FlowState& s, int i) {
 }
 
 /// The paper's unknowns are the r_j^{k+1} in R³; its 3n × 3n system gives the same step as ours for s
-/// (docs/dev/numerics.md, "Semi-implicit step").
+/// (docs/math/energy_to_matrix.md, "Semi-implicit step").
 TEST(FlowTerms, ReducedStepEqualsThePapersThreeByThreeBlocks) {
   const EvolutionState state = disturbed_state();
   const int n = state.patch.free_count;
