@@ -25,6 +25,11 @@ if [[ -d $shared/scans2 ]]; then
 else
   echo "docs/user/pictures/gallery_*: left as they are, since there is no $shared/scans2" >&2
 fi
+if "$python" -c 'import numpy, pyvista, PIL' 2>/dev/null; then
+  xvfb-run -a "$python" "$docs/user/pictures/make_options.py" "$program" "$docs/user/pictures"
+else
+  echo "docs/user/pictures/option_*: left as they are, since $python lacks NumPy, PyVista or Pillow" >&2
+fi
 if "$python" -c 'import numpy' 2>/dev/null; then
   "$python" "$docs/math/three_holes.py" "$program" "$docs/math/pictures"
 else
