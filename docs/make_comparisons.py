@@ -22,14 +22,14 @@ sys.path[:0] = [str(ROOT / "tests/bench"), str(ROOT / "docs/user/pictures")]
 import make_cases  # noqa: E402
 import other_programs  # noqa: E402
 
-WIDE, HIGH = 460, 400
+WIDE, HIGH, HEAD = 460, 400, 44
 SCAN, INSIDE, LOOP = "#c9c3ba", "#55514d", "#b5095f"
 
 # Picture, model, its whole surface, options of Loopmend, direction of view, zoom, captions.
 PICTURES = [
     ("edges", make_cases.block, lambda: make_cases.box(40, (45, 30, 30)), [], (0.5, 0.7, 1), 1.3, "sharp edges run on"),
     ("mirror", make_cases.owl, None, ["--mirror"], (0.3, 0.4, 1), 1.7, "a copy of the other side"),
-    ("likely_error", make_cases.pebble_with_hole, make_cases.pebble, ["--deviation"], (0.1, -0.35, 1.2), 1.75, "likely error of each point"),
+    ("likely_error", make_cases.pebble_with_hole, make_cases.pebble, ["--deviation"], (0.1, -0.35, 1.2), 1.75, "likely error"),
 ]
 
 
@@ -143,21 +143,21 @@ def draw(program, folder, name, model, truth, options, view, zoom, caption):
     images = [panel(points, faces, None, view, zoom, None, 0),
               panel(*ours, given_faces(*ours, points, faces), view, zoom, values, most),
               panel(*others[best], given_faces(*others[best], points, faces), view, zoom, None, 0)]
-    sheet = Image.new("RGB", (3 * WIDE, HIGH + 34), "white")
-    font = ImageFont.truetype("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 16)
+    sheet = Image.new("RGB", (3 * WIDE, HIGH + HEAD), "white")
+    font = ImageFont.truetype("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 24)
     pen = ImageDraw.Draw(sheet)
     texts = ["Before", f"Loopmend: {caption}", f"{best}" + (": no likely error" if values is not None else "")]
     for k, (image, text) in enumerate(zip(images, texts)):
-        sheet.paste(Image.fromarray(image).resize((WIDE, HIGH), Image.LANCZOS), (k * WIDE, 34))
+        sheet.paste(Image.fromarray(image).resize((WIDE, HIGH), Image.LANCZOS), (k * WIDE, HEAD))
         pen.text((k * WIDE + 10, 8), text, fill="#222222", font=font)
     if values is not None:
         bar = Image.linear_gradient("L").rotate(90, expand=True).resize((120, 12))
         import matplotlib
         colors = (matplotlib.colormaps["Oranges"](np.asarray(bar))[:, :, :3] * 255).astype(np.uint8)
-        sheet.paste(Image.fromarray(colors), (WIDE + 60, HIGH + 10))
-        small = ImageFont.truetype("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 13)
-        pen.text((WIDE + 46, HIGH + 8), "0", fill="#222222", font=small)
-        pen.text((WIDE + 186, HIGH + 8), f"{most:.1f} (the pebble is 100 wide)", fill="#222222", font=small)
+        sheet.paste(Image.fromarray(colors), (WIDE + 60, HIGH + 16))
+        small = ImageFont.truetype("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 20)
+        pen.text((WIDE + 40, HIGH + 10), "0", fill="#222222", font=small)
+        pen.text((WIDE + 186, HIGH + 10), f"{most:.1f} (the pebble is 100 wide)", fill="#222222", font=small)
     sheet.save(Path(folder) / f"{name}.png", optimize=True)
 
 
