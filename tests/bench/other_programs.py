@@ -25,6 +25,7 @@ from pathlib import Path
 FLOOR = 1e-5
 LIMIT_S = 60
 SAMPLES = 4000
+MOST_EDGES = 300
 
 
 def write_ply(path, points, faces):
@@ -73,8 +74,22 @@ def by_cgal(points, faces, continuity):
             polygon.append(int(v))
         polygons.append(polygon)
     processing.polygon_soup_to_polygon_mesh(soup, polygons, mesh)
-    while (hole := next((h for h in mesh.halfedges() if h.is_border()), None)) is not None:
-        processing.triangulate_refine_and_fair_hole(mesh, hole, [], [], math.sqrt(2), continuity)
+    holes, seen = [], set()
+    for h in mesh.halfedges():
+        if not h.is_border():
+            continue
+        place = h.vertex().point()
+        if (place.x(), place.y(), place.z()) in seen:
+            continue
+        around, k = [], h
+        while not around or k != h:
+            around.append((k.vertex().point().x(), k.vertex().point().y(), k.vertex().point().z()))
+            k = k.next()
+        seen.update(around)
+        if len(around) <= MOST_EDGES:
+            holes.append(h)
+    for h in holes:
+        processing.triangulate_refine_and_fair_hole(mesh, h, [], [], math.sqrt(2), continuity)
     number, places, corners = {}, [], []
     for f in mesh.facets():
         h, corner = f.halfedge(), []
@@ -212,7 +227,7 @@ def make_hole(mesh, centers, chance, near_boundary):
     """Faces that a disc takes away, or nothing."""
     import numpy as np
     h = mesh.edges_unique_length.mean()
-    edges = 8 * (300 / 8)**chance.random()
+    edges = 8 * (MOST_EDGES / 8)**chance.random()
     radius = edges * h / (2 * math.pi)
     if radius > 0.3 * mesh.extents.max():
         return None
@@ -234,7 +249,7 @@ def make_hole(mesh, centers, chance, near_boundary):
     if near_boundary[gone].any():
         return None
     rim, most = boundary(gone)
-    if most > 2 or len(np.unique(rim[:, 0])) != len(rim) or not 8 <= len(rim) <= 300:
+    if most > 2 or len(np.unique(rim[:, 0])) != len(rim) or not 8 <= len(rim) <= MOST_EDGES:
         return None
     vertices = np.unique(gone)
     undirected = len(np.unique(np.sort(np.vstack([gone[:, [0, 1]], gone[:, [1, 2]], gone[:, [2, 0]]]), axis=1), axis=0))
