@@ -382,7 +382,7 @@ def table(path):
     for method in dict.fromkeys(["Loopmend", ours, *others]):
         both = [(h[method], min((h[o] for o in others if o != method and h.get(o)), default=None)) for h in chosen if h.get(method)]
         both = [(d, best) for d, best in both if best]
-        print(f"| {method} | {len(both)} of {len(holes)} | {mean(d for d, _ in both):.4f} | {mean(d / best for d, best in both):.2f} "
+        print(f"| {method} | {sum(bool(h.get(method)) for h in holes.values())} of {len(holes)} | {mean(d for d, _ in both):.4f} | {mean(d / best for d, best in both):.2f} "
               f"| {sum(d > 1.1 * best for d, best in both)} |")
     print("\n| model | holes | Loopmend, divided by the best other | by MeshLib | farther than the best by 10 % |")
     print("| --- | ---: | ---: | ---: | ---: |")
