@@ -48,10 +48,10 @@ def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 
 
 def sheet(images, texts, path):
     wide, high = images[0].size
-    made = Image.new("RGB", (wide * len(images), high + 32), "white")
-    pen, font = ImageDraw.Draw(made), ImageFont.truetype(FONT, 15)
+    made = Image.new("RGB", (wide * len(images), high + 42), "white")
+    pen, font = ImageDraw.Draw(made), ImageFont.truetype(FONT, 22)
     for k, (image, text) in enumerate(zip(images, texts)):
-        made.paste(image, (k * wide, 32))
+        made.paste(image, (k * wide, 42))
         pen.text((k * wide + 10, 8), text, fill="#222222", font=font)
     if "density" in path.name:  # thin lines need few colors
         made = made.quantize(64, dither=Image.Dither.NONE)
