@@ -60,22 +60,29 @@ std::string without_numbers(const std::string& text) {
   return plain;
 }
 
-/// Why flows were not run as asked, each reason once with its loops.
-void print_reasons(std::FILE* out, const std::vector<HoleResult>& results, Detail detail) {
+/// Each text once, with its loops. @param text_of  of one result; empty: there is none
+void print_once(std::FILE* out, const std::vector<HoleResult>& results, Detail detail,
+                std::string (*text_of)(const HoleResult&)) {
   constexpr std::size_t most_numbers = 12;
   std::map<std::string, std::vector<int>> loops_of;
-  for (const HoleResult& r : results) {
-    if (r.reason().empty()) continue;
-    const std::string reason = r.method() + ": " + r.reason().english();
-    loops_of[detail == Detail::all ? reason : without_numbers(reason)].push_back(r.loop.number);
-  }
-  for (const auto& [reason, numbers] : loops_of) {
+  for (const HoleResult& r : results)
+    if (const std::string text = text_of(r); !text.empty())
+      loops_of[detail == Detail::all ? text : without_numbers(text)].push_back(r.loop.number);
+  for (const auto& [text, numbers] : loops_of) {
     std::string list;
     for (std::size_t k = 0; k < std::min(numbers.size(), most_numbers); ++k)
       list += (k ? ", " : "") + std::to_string(numbers[k]);
     if (numbers.size() > most_numbers) list += " and " + std::to_string(numbers.size() - most_numbers) + " more";
-    std::fprintf(out, "loop%s %s: %s.\n", numbers.size() == 1 ? "" : "s", list.c_str(), reason.c_str());
+    std::fprintf(out, "loop%s %s: %s.\n", numbers.size() == 1 ? "" : "s", list.c_str(), text.c_str());
   }
+}
+
+/// Why a loop is open, or what else there is to know of it.
+std::string message_text(const HoleResult& r) { return r.message.english(); }
+
+/// Why the flow was not run as asked.
+std::string reason_text(const HoleResult& r) {
+  return r.reason().empty() ? std::string() : r.method() + ": " + r.reason().english();
 }
 
 /// What became of the loops, in numbers.
@@ -218,7 +225,7 @@ void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
                  what.second.empty() ? "" : ": ", what.second.c_str());
 }
 
-/// One line for each loop when there are few, else for the largest.
+/// One line for each loop when there are few, else for the largest; long texts below, once for each kind.
 void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const Outcome& outcome,
                    const FillCommand& command, double seconds) {
   const bool all = command.detail == Detail::all || results.size() <= most_loops_in_full;
@@ -235,15 +242,17 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
                    before_and_after(r.seam_before().g1_rms_deg, r.seam_after().g1_rms_deg).c_str(),
                    before_and_after(r.seam_before().h_jump_rms_times_diameter, r.seam_after().h_jump_rms_times_diameter)
                        .c_str());
-    const std::string remark = joined(verdict.message(), "; ", r.message).english();
+    const std::string remark = verdict.message().english();
     std::fprintf(out, "%s%s\n", remark.empty() ? "" : "  ", remark.c_str());
   }
   if (!all) {
     std::fprintf(out, "... and %zu smaller ones (all of them with --verbose or --report). In all:\n",
                  results.size() - largest_loops);
     print_counts(out, results);
+  } else {
+    print_once(out, results, Detail::all, message_text);
   }
-  print_reasons(out, results, all ? Detail::all : Detail::summary);
+  print_once(out, results, all ? Detail::all : Detail::summary, reason_text);
   std::fprintf(out, "%d filled, ", outcome.filled);
   if (outcome.look > 0) std::fprintf(out, "%d of them to look at, ", outcome.look);
   if (outcome.bad > 0) std::fprintf(out, "%d of them bad, ", outcome.bad);

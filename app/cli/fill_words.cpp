@@ -48,7 +48,7 @@ void take_mirror(const FillWords& words, FillOptions& options) {
 
 void take_edge_edits(const FillWords& words, FillOptions& options) {
   if (words.drawn_edges.empty() && words.stopped_edges.empty()) return;
-  if (!options.evolution || !is_judged(*options.evolution) || options.evolution->edges == SharpEdges::rounded)
+  if (!options.evolution || !continues_edges(*options.evolution))
     throw UsageError(
         "--draw-edge and --stop-edge take effect with the default flow, boundary and continuity, and without --edges "
         "round");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/compare_numbers.h"
 
+#include "analysis/surface_distance.h"
 #include "compare/flow_view.h"
 #include "document/labels.h"
 #include "panels/parts.h"
@@ -82,7 +83,8 @@ CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWid
       table_(new QTableWidget),
       which_(new QComboBox),
       energies_(new Plot("compareEnergies", tr("Energy of each flow against the step"))),
-      profiles_(new Plot("compareProfiles", tr("Mean curvature across the seam, one line for each flow"))) {
+      profiles_(new Plot("compareProfiles", tr("Mean curvature across the seam, one line for each flow"))),
+      across_title_(new QLabel) {
   table_->setObjectName(QStringLiteral("compareTable"));
   explain(table_, tr("Figures of all flows"), {});
   const QStringList heads = head_words(), help = head_help();
@@ -116,14 +118,13 @@ CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWid
     return column;
   };
   which_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  auto* title = new QLabel(tr("H across the seam, patch right of 0"));
-  title->setFixedHeight(which_->sizeHint().height());
+  across_title_->setFixedHeight(which_->sizeHint().height());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 8);
   row->setSpacing(8);
   row->addWidget(table_, 0, Qt::AlignTop);
   row->addLayout(titled(which_, energies_), 1);
-  row->addLayout(titled(title, profiles_), 1);
+  row->addLayout(titled(across_title_, profiles_), 1);
   update_all();
 }
 
@@ -156,13 +157,13 @@ void CompareNumbers::update_all() {
   table_->resizeColumnsToContents();
   table_->setFixedWidth(table_->horizontalHeader()->length() + 2 * table_->frameWidth() + 2);
   update_energies();
-  update_profiles();
+  update_across();
 }
 
 void CompareNumbers::update_flow_run(int flow_run) {
   fill_row(flow_run + 1, live_row(*flow_comparison_.flow_run(flow_run)));
   update_energies();
-  update_profiles();
+  update_across();
 }
 
 void CompareNumbers::update_energies() {
@@ -185,6 +186,36 @@ void CompareNumbers::update_energies() {
   energies_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
   energies_->show_words(moved ? QString() : tr("Run the flows, and their energies are drawn here."));
   energies_->redraw();
+}
+
+void CompareNumbers::show_across(Across across) {
+  across_ = across;
+  update_across();
+}
+
+void CompareNumbers::update_across() {
+  across_title_->setText(across_ == Across::curvature ? tr("H across the seam, patch right of 0")
+                                                      : tr("Vertices at each distance, %"));
+  across_ == Across::curvature ? update_profiles() : update_histogram();
+}
+
+void CompareNumbers::update_histogram() {
+  constexpr int bins = 41;
+  double reach = 0;
+  for (int graph = 0; graph < flows; ++graph) profiles_->set_data(graph, {}, {});
+  for (int flow_run = 0; flow_comparison_.start() && flow_run < flow_comparison_.flow_runs(); ++flow_run)
+    reach = std::max(reach, summary_of(flow_comparison_.flow_run(flow_run)->distances).nearly_all);
+  for (int flow_run = 0; reach > 0 && flow_run < flow_comparison_.flow_runs(); ++flow_run) {
+    const std::vector<double>& distances = flow_comparison_.flow_run(flow_run)->distances;
+    QVector<double> middle(bins), share(bins, 0);
+    for (int k = 0; k < bins; ++k) middle[k] = reach * ((2.0 * k + 1) / bins - 1);
+    for (double d : distances)
+      if (std::abs(d) < reach)
+        share[static_cast<int>(bins * (d + reach) / (2 * reach))] += 100.0 / static_cast<double>(distances.size());
+    profiles_->set_data(static_cast<int>(flow_comparison_.flow(flow_run)), middle, share);
+  }
+  profiles_->show_words(reach > 0 ? QString() : tr("There is no distance to draw."));
+  profiles_->redraw();
 }
 
 void CompareNumbers::update_profiles() {

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QLabel;
 class QTableWidget;
 
 namespace loopmend {
@@ -22,18 +23,25 @@ class CompareNumbers : public QWidget {
   /// Everything anew.
   void update_all();
   void update_flow_run(int flow_run);
+  /// What the right plot draws.
+  enum class Across { curvature, distances };
+  void show_across(Across across);
   Plot& energies() { return *energies_; }
   Plot& profiles() { return *profiles_; }
 
  private:
   void update_energies();
   void update_profiles();
+  void update_across();
+  void update_histogram();
   void fill_row(int row, const std::vector<std::string>& cells);
 
   const ComparisonController& flow_comparison_;
   QTableWidget* table_;
   QComboBox* which_;
   Plot *energies_, *profiles_;
+  QLabel* across_title_;
+  Across across_ = Across::curvature;
 };
 
 /// The table as it stands: of the finished comparison, or of what was reached.

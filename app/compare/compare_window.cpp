@@ -156,8 +156,10 @@ QWidget* CompareWindow::build_run_bar() {
 }
 
 QWidget* CompareWindow::build_look_bar() {
-  shading_ = make_shading_choice("compareShading", tr("How all views are shown (keys 1 to 5)"));
+  shading_ = make_shading_choice("compareShading", tr("How all views are shown (keys 1 to 6)"));
+  shading_->addItem(tr("Distance"), static_cast<int>(Shading::difference));
   shading_->setCurrentIndex(static_cast<int>(look_.shading));
+  build_from();
   edges_ = new QCheckBox(tr("&Wireframe"));
   edges_->setObjectName(QStringLiteral("compareEdges"));
   edges_->setChecked(look_.edges == Edges::shown);
@@ -172,7 +174,7 @@ QWidget* CompareWindow::build_look_bar() {
   half_width_->setDecimals(4);
   half_width_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   half_width_->setKeyboardTracking(false);
-  explain(half_width_, tr("Range"), tr("The curvature at the ends of the colours"));
+  explain(half_width_, tr("Range"), tr("The value at the ends of the colours"));
   linked_ = new QCheckBox(tr("&Link views"));
   linked_->setObjectName(QStringLiteral("compareLinked"));
   linked_->setChecked(true);
@@ -191,8 +193,8 @@ QWidget* CompareWindow::build_look_bar() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  for (QWidget* part : std::initializer_list<QWidget*>{shading_, edges_, own_range_, half_width_, divider(), linked_,
-                                                       framing, divider(), wiping_, left_, right_})
+  for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, own_range_, half_width_, divider(),
+                                                       linked_, framing, divider(), wiping_, left_, right_})
     row->addWidget(part);
   row->addStretch(1);
   return bar;
@@ -229,6 +231,7 @@ void CompareWindow::wire() {
   connect(mode_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_use);
   connect(sigma_, &QSlider::valueChanged, this, &CompareWindow::update_use);
   connect(shading_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::apply_look);
+  connect(from_, QOverload<int>::of(&QComboBox::activated), this, &CompareWindow::choose_from);
   connect(edges_, &QCheckBox::toggled, this, &CompareWindow::apply_look);
   connect(own_range_, &QCheckBox::toggled, this, &CompareWindow::update_range);
   connect(half_width_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
@@ -256,6 +259,7 @@ void CompareWindow::wire() {
     });
   connect(&flow_comparison_, &ComparisonController::stage_changed, this, &CompareWindow::update_all);
   connect(&flow_comparison_, &ComparisonController::flow_run_moved, this, &CompareWindow::update_flow_run);
+  connect(&flow_comparison_, &ComparisonController::measured, this, &CompareWindow::update_all);
   connect(&flow_comparison_, &ComparisonController::failed, banner_, &Banner::show_problem);
 }
 
@@ -388,6 +392,10 @@ void CompareWindow::update_range() {
   half_width_->setEnabled(own_range_->isChecked());
   if (own_range_->isChecked()) {
     range_ = half_width_->value();
+  } else if (look_.shading == Shading::difference && flow_comparison_.start()) {
+    if (const double widest = range_of_distances(); widest > 0) range_ = widest;
+    const QSignalBlocker quiet(half_width_);
+    half_width_->setValue(range_);
   } else if (flow_comparison_.start()) {
     const bool mean = look_.shading != Shading::gaussian;
     const auto& neighborhood = flow_comparison_.neighborhood();
@@ -407,6 +415,7 @@ void CompareWindow::apply_look() {
   look_.shading = static_cast<Shading>(shading_->currentData().toInt());
   look_.edges = edges_->isChecked() ? Edges::shown : Edges::hidden;
   if (sender() == shading_) own_range_->setChecked(false);  // H and K do not share their numbers
+  measure();
   update_range();
 }
 
@@ -464,7 +473,8 @@ void CompareWindow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_2:
     case Qt::Key_3:
     case Qt::Key_4:
-    case Qt::Key_5: shading_->setCurrentIndex(event->key() - Qt::Key_1); break;
+    case Qt::Key_5:
+    case Qt::Key_6: shading_->setCurrentIndex(event->key() - Qt::Key_1); break;
     default: QWidget::keyPressEvent(event);
   }
 }

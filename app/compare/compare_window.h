@@ -48,6 +48,8 @@ class CompareWindow : public QWidget {
   void run();
   /// Now, or as soon as the start is there.
   void run_when_ready();
+  /// Shows how far each view is from this mesh.
+  void measure_from_mesh(const QString& path);
   /// All views; with captions and the legend unless the surfaces alone are wanted. Null when the graphics cannot.
   QImage picture(const PictureOptions& options);
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
@@ -64,6 +66,7 @@ class CompareWindow : public QWidget {
   QWidget* build_run_bar();
   QWidget* build_look_bar();
   QWidget* build_views();
+  void build_from();
   void wire();
   void set_view_count(int count);
   void choose_flow(int flow_run, FlowKind flow);
@@ -73,6 +76,9 @@ class CompareWindow : public QWidget {
   void update_use();
   void update_range();
   void apply_look();
+  void choose_from();
+  void measure();
+  double range_of_distances() const;
   void face_patch();
   void frame();
   void follow(FlowCanvas& leader);
@@ -98,7 +104,9 @@ class CompareWindow : public QWidget {
   CompareNumbers* numbers_ = nullptr;
   Banner* banner_ = nullptr;
   QPushButton *run_ = nullptr, *stop_ = nullptr, *save_picture_ = nullptr, *save_numbers_ = nullptr, *copy_ = nullptr;
-  QComboBox *mode_ = nullptr, *count_ = nullptr, *shading_ = nullptr, *left_ = nullptr, *right_ = nullptr;
+  QString mesh_;  ///< that distances are from; empty: none was chosen
+  QComboBox *mode_ = nullptr, *count_ = nullptr, *shading_ = nullptr, *from_ = nullptr, *left_ = nullptr,
+            *right_ = nullptr;
   QSlider *sigma_ = nullptr, *stripes_ = nullptr;
   QLabel *sigma_value_ = nullptr, *wait_ = nullptr;
   QCheckBox *edges_ = nullptr, *linked_ = nullptr, *wiping_ = nullptr, *own_range_ = nullptr;

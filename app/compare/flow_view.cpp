@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/flow_view.h"
 
+#include "analysis/surface_distance.h"
 #include "compare/flow_canvas.h"
 #include "document/labels.h"
 #include "document/message_words.h"
@@ -120,6 +121,13 @@ void FlowView::show_flow_run(const ComparedRun& flow_run, const QString& accepti
     words_ += tr(" \u00b7 %1\u00b0 \u00b7 \u0394H %2").arg(labels::number(seam.angle), labels::number(seam.jump));
     in_full += QLatin1Char('\n') + tr("At the seam: angle %1\u00b0 (rms), jump of H %2 (rms)")
                                        .arg(labels::number(seam.angle), labels::number(seam.jump));
+  }
+  if (!flow_run.distances.empty()) {
+    const DistanceSummary off = summary_of(flow_run.distances);
+    words_ += tr(" \u00b7 off %1").arg(labels::number(off.rms));
+    in_full += QLatin1Char('\n') +
+               tr("Distance: %1 rms, 95 % within %2, at most %3")
+                   .arg(labels::number(off.rms), labels::number(off.nearly_all), labels::number(off.largest));
   }
   if (!flow_run.message.empty()) in_full += QLatin1Char('\n') + labels::sentence(labels::in_words(flow_run.message));
   figures_->setText(words_);

@@ -33,13 +33,19 @@ void LegendStrip::show_range(const Look& look, double half_width) {
   update();
 }
 
+void LegendStrip::set_distance_words(const QString& from, const QString& unit) {
+  from_ = from;
+  unit_ = unit;
+  update();
+}
+
 void LegendStrip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paint(painter, rect(), palette().color(QPalette::WindowText));
 }
 
 void LegendStrip::paint(QPainter& painter, const QRectF& area, const QColor& ink) const {
-  const bool mean = look_.shading != Shading::gaussian;
+  const bool mean = look_.shading != Shading::gaussian, apart = look_.shading == Shading::difference;
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
   QColor soft = ink;
@@ -52,11 +58,11 @@ void LegendStrip::paint(QPainter& painter, const QRectF& area, const QColor& ink
   const auto text = [&](const QString& words, double at) {
     painter.drawText(QRectF(area.left() + gap, at, area.width() - gap, line), Qt::AlignLeft | Qt::AlignVCenter, words);
   };
-  text(mean ? tr("Mean curvature H") : tr("Gaussian curv. K"), y);
+  text(apart ? tr("From %1").arg(from_) : mean ? tr("Mean curvature H") : tr("Gaussian curv. K"), y);
   painter.setFont(font());
   painter.setPen(soft);
-  text(mean ? tr("in 1/length") : tr("in 1/length\u00b2"), y += line);
-  text(mean ? tr("hollow") : tr("dome or bowl"), y += 1.5 * line);
+  text(apart ? unit_ : mean ? tr("in 1/length") : tr("in 1/length\u00b2"), y += line);
+  text(apart ? tr("outside") : mean ? tr("hollow") : tr("dome or bowl"), y += 1.5 * line);
   const QRectF bar(area.left() + gap, y + line + 4, bar_width,
                    std::max(60.0, std::min(300.0, area.height() - y - 4 * line)));
   for (int i = 0; i < steps; ++i) {
@@ -75,7 +81,7 @@ void LegendStrip::paint(QPainter& painter, const QRectF& area, const QColor& ink
                      Qt::AlignLeft | Qt::AlignVCenter, sign + labels::number(std::abs(value)));
   }
   painter.setPen(soft);
-  text(mean ? tr("bulging") : tr("saddle"), bar.bottom() + 6);
+  text(apart ? tr("inside") : mean ? tr("bulging") : tr("saddle"), bar.bottom() + 6);
 }
 
 }  // namespace loopmend

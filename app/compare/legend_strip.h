@@ -15,6 +15,8 @@ class LegendStrip : public QWidget {
   explicit LegendStrip(QWidget* parent = nullptr);
   /// Nothing is painted where the shading has no colours. @param half_width  as in FlowCanvas::set_look.
   void show_range(const Look& look, double half_width);
+  /// What distances are from, and their unit; of Shading::difference.
+  void set_distance_words(const QString& from, const QString& unit);
   QSize sizeHint() const override;
   void paint(QPainter& painter, const QRectF& area, const QColor& ink) const;
 
@@ -23,6 +25,7 @@ class LegendStrip : public QWidget {
 
  private:
   Look look_;
+  QString from_, unit_;
   double half_width_ = 1;
 };
 

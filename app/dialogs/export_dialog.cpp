@@ -4,10 +4,12 @@
 #include "document/labels.h"
 #include "panels/parts.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 
 namespace loopmend {
 
@@ -16,6 +18,8 @@ ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QSt
     : QFileDialog(parent, tr("Export"), QFileInfo(proposal).path()),
       check_(check),
       content_(new QComboBox),
+      new_faces_(new QCheckBox(tr("&Label new triangles"))),
+      deviations_(new QCheckBox(tr("Likely &error of new vertices"))),
       verdict_(new QLabel),
       hidden_(new QLabel) {
   setObjectName(QStringLiteral("exportDialog"));
@@ -25,8 +29,8 @@ ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QSt
   selectNameFilter(filter);
   selectFile(QFileInfo(proposal).fileName());
   content_->setObjectName(QStringLiteral("exportContent"));
-  content_->addItem(tr("Scan and patches"), static_cast<int>(ExportContent::scene));
-  content_->addItem(tr("Patches only"), static_cast<int>(ExportContent::patches));
+  content_->addItem(tr("Scan and patches"), static_cast<int>(ExportChoice::Content::scene));
+  content_->addItem(tr("Patches only"), static_cast<int>(ExportChoice::Content::patches));
   explain(content_, tr("What is written"), tr("The scan with its holes closed, or the patches by themselves"));
   verdict_->setObjectName(QStringLiteral("exportVerdict"));
   verdict_->setWordWrap(true);
@@ -36,14 +40,23 @@ ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QSt
   content_label->setBuddy(content_);
   grid->addWidget(content_label, row, 0);
   grid->addWidget(content_, row, 1);
-  grid->addWidget(new QLabel(tr("Printing:")), row + 1, 0);
-  grid->addWidget(verdict_, row + 1, 1, 1, 2);
+  new_faces_->setObjectName(QStringLiteral("exportNewFaces"));
+  deviations_->setObjectName(QStringLiteral("exportDeviations"));
+  grid->addWidget(new_faces_, row + 1, 1);
+  grid->addWidget(deviations_, row + 2, 1);
+  grid->addWidget(new QLabel(tr("Printing:")), row + 3, 0);
+  grid->addWidget(verdict_, row + 3, 1, 1, 2);
   hidden_->setObjectName(QStringLiteral("exportHidden"));
   hidden_->setWordWrap(true);
   hidden_->hide();
-  grid->addWidget(hidden_, row + 2, 1, 1, 2);
+  grid->addWidget(hidden_, row + 4, 1, 1, 2);
   connect(&check_, &PrintCheck::changed, this, &ExportDialog::show_verdict);
   connect(content_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportDialog::show_verdict);
+  for (auto signal : {&QFileDialog::filterSelected, &QFileDialog::currentChanged})
+    connect(this, signal, this, &ExportDialog::follow_format);
+  connect(findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), &QLineEdit::textChanged, this,
+          &ExportDialog::follow_format);
+  follow_format();
   check_.start();
   show_verdict();
 }
@@ -58,7 +71,40 @@ void ExportDialog::tell_unit(const QString& name) {
   show_verdict();
 }
 
-ExportContent ExportDialog::content() const { return static_cast<ExportContent>(content_->currentData().toInt()); }
+void ExportDialog::leave_out_labels() {
+  has_labels_ = false;
+  follow_format();
+}
+
+ExportChoice::Content ExportDialog::content() const {
+  return static_cast<ExportChoice::Content>(content_->currentData().toInt());
+}
+
+ExportChoice ExportDialog::choice() const {
+  ExportChoice choice{content()};
+  if (new_faces_->isEnabled() && new_faces_->isChecked()) choice.new_faces = NewFaces::labelled;
+  if (deviations_->isEnabled() && deviations_->isChecked()) choice.deviations = ExportChoice::Deviations::written;
+  return choice;
+}
+
+/// STL and OFF have no room for labels, and PLY alone has room for a number of each vertex.
+void ExportDialog::follow_format() {
+  const QString name = path().toLower();
+  const auto is = [&](const char* ending) {
+    return name.endsWith(QLatin1String(ending)) || name.endsWith(QLatin1String(ending) + QStringLiteral(".gz"));
+  };
+  const QString one_scan = tr("Only where the file has one scan");
+  new_faces_->setEnabled(has_labels_ && !is(".stl") && !is(".off"));
+  explain(new_faces_, tr("Label new triangles"),
+          !has_labels_              ? one_scan
+          : new_faces_->isEnabled() ? tr("PLY: face property patch; OBJ: group, glTF and 3MF: object loopmend_patch")
+                                    : tr("STL and OFF have no room for a label"));
+  deviations_->setEnabled(has_labels_ && is(".ply"));
+  explain(deviations_, tr("Likely error of new vertices"),
+          !has_labels_               ? one_scan
+          : deviations_->isEnabled() ? tr("Vertex property expected_deviation, in the unit of the scan")
+                                     : tr("PLY alone has room for it"));
+}
 
 QString ExportDialog::path() const {
   const QString chosen = selectedFiles().value(0);
@@ -68,7 +114,7 @@ QString ExportDialog::path() const {
 }
 
 void ExportDialog::show_verdict() {
-  if (content() == ExportContent::patches)
+  if (content() == ExportChoice::Content::patches)
     verdict_->setText(tr("Patches by themselves are open surfaces."));
   else if (check_.result())
     verdict_->setText(labels::verdict_in_full(*check_.result()) + (unit_.isEmpty()

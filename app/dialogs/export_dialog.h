@@ -7,6 +7,7 @@
 
 #include <QFileDialog>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 
@@ -25,15 +26,22 @@ class ExportDialog : public QFileDialog {
   /// @param name  "millimetres"; empty: the unit is not known
   void tell_unit(const QString& name);
 
-  ExportContent content() const;
+  /// Several scans in one file have no labels.
+  void leave_out_labels();
+
+  ExportChoice choice() const;
   /// With the format's ending where none was given.
   QString path() const;
 
  private:
+  ExportChoice::Content content() const;
   void show_verdict();
+  void follow_format();
 
   PrintCheck& check_;
   QComboBox* content_;
+  QCheckBox *new_faces_, *deviations_;
+  bool has_labels_ = true;
   QString unit_;
   QLabel *verdict_, *hidden_;
 };

@@ -3,6 +3,7 @@
 
 #include "document/labels.h"
 #include "document/shell_words.h"
+#include "pipeline/edge_preview.h"
 #include "pipeline/fill_holes.h"
 
 #include <QCoreApplication>
@@ -12,20 +13,6 @@
 
 namespace loopmend {
 namespace {
-
-/// Those at boundary vertices of these loops.
-EdgeEdits own_edits(const EdgeEdits& edits, const OpenedScan& scan, const std::vector<BoundaryLoop>& loops) {
-  const auto is_own = [&](int point) {
-    return std::any_of(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
-      return std::any_of(loop.vertices.begin(), loop.vertices.end(),
-                         [&](int v) { return scan.model->soup_vertex[static_cast<std::size_t>(v)] == point; });
-    });
-  };
-  EdgeEdits own = edits;
-  std::erase_if(own.drawn, [&](const auto& ends) { return !is_own(ends.first); });
-  std::erase_if(own.stopped, [&](int point) { return !is_own(point); });
-  return own;
-}
 
 /// The options of `loopmend fill` for a recipe; only the last run where there are several.
 /// @param loops  of its patch
@@ -38,7 +25,7 @@ QString options_of(const PatchRecipe& recipe, const OpenedScan& scan, const std:
   if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + shell::exact(run.sigma);
   if (run.mode == EvolutionMode::steady)
     text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief) +
-            shell::edges_options(run.edges, own_edits(run.edge_edits, scan, loops));
+            shell::edges_options(run.edges, edits_at(*scan.model, loops, run.edge_edits));
   if (run.mirror == RunRecipe::Mirror::found) text += QStringLiteral(" --mirror");
   if (run.mirror == RunRecipe::Mirror::placed) {
     QStringList numbers;

@@ -31,7 +31,7 @@ struct RunRecipe {
     placed,                 ///< that in `mirror_plane`, where it fits
   } mirror = Mirror::none;  ///< likewise
   MirrorPlane mirror_plane;
-  int steps = 0;            ///< taken
+  int steps = 0;  ///< taken
   enum class End {
     whole,        ///< as far as it goes
     after_steps,  ///< stopped by a person after `steps`
@@ -48,7 +48,7 @@ inline RunRecipe recipe_of(const EvolutionOptions& options) {
   run.boundary = options.boundary;
   run.continuity = options.continuity;
   run.edges = options.edges;
-  if (is_judged(options) && options.edges == SharpEdges::continued) run.edge_edits = options.edge_edits;
+  if (continues_edges(options)) run.edge_edits = options.edge_edits;
   if (options.mode == EvolutionMode::steady) run.relief = options.relief;
   return run;
 }

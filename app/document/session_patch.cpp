@@ -170,6 +170,8 @@ PatchRecipe recipe(Reader& in) {
     run.edge_edits.stopped = in.array<int>();
     run.mirror_plane.point = in.vector();
     run.mirror_plane.normal = in.vector();
+    if (!run.mirror_plane.point.allFinite() || !(std::abs(run.mirror_plane.normal.norm() - 1) < 1e-6))
+      in.fail(say("a mirror plane is out of range"));
     r.runs.push_back(run);
   }
   return r;
@@ -272,8 +274,7 @@ PatchStatePtr read_state(SessionReader& in) {
     for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
   }
   s->deviation.vertices = in.array<double>();
-  if (!s->deviation.vertices.empty() &&
-      s->deviation.vertices.size() != static_cast<std::size_t>(s->patch.free_count))
+  if (!s->deviation.vertices.empty() && s->deviation.vertices.size() != static_cast<std::size_t>(s->patch.free_count))
     in.fail(say("the likely errors of a patch are not complete"));
   return s;
 }

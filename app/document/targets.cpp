@@ -16,6 +16,14 @@ std::set<int> loops_to_fill(const Document& document, const HoleSelection& selec
   return loops;
 }
 
+std::vector<int> largest(const Document& document, const std::set<int>& loops, std::size_t at_most) {
+  std::vector<int> sorted(loops.begin(), loops.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](int a, int b) { return document.loop(a).diameter > document.loop(b).diameter; });
+  sorted.resize(std::min(sorted.size(), at_most));
+  return sorted;
+}
+
 std::set<int> chosen_patches(const Document& document, const HoleSelection& selection) {
   std::set<int> ids;
   const std::set<int>& chosen = selection.selected();

@@ -5,10 +5,16 @@
 #include "document/document.h"
 #include "document/hole_selection.h"
 
+#include <set>
+#include <vector>
+
 namespace loopmend {
 
 /// Loops that Fill would close: the selected ones, or all that are fillable. None that has a patch.
 std::set<int> loops_to_fill(const Document& document, const HoleSelection& selection);
+
+/// The largest ones of these loops, the largest first.
+std::vector<int> largest(const Document& document, const std::set<int>& loops, std::size_t at_most);
 
 /// Patches of the selected loops, or all when nothing is selected.
 std::set<int> chosen_patches(const Document& document, const HoleSelection& selection);

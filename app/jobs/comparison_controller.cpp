@@ -2,6 +2,8 @@
 #include "jobs/comparison_controller.h"
 
 #include "analysis/curvature_field.h"
+#include "analysis/surface_distance.h"
+#include "io/read_mesh.h"
 #include "jobs/near_shape.h"
 
 #include <algorithm>
@@ -24,6 +26,39 @@ std::shared_ptr<ComparedRun> seen(const Patch& patch, int edge, const Vec3& orig
   state->wide_jump = std::numeric_limits<double>::quiet_NaN();
   if (!patch.loops.empty()) state->profile = profile_across(patch, edge);
   return state;
+}
+
+/// The triangles of a patch and of the rings around it, mesh units.
+TriangleSoup surface_of(const Patch& patch) {
+  TriangleSoup soup;
+  for (const Vec3& p : patch.positions) soup.points.push_back(patch.to_mesh(p));
+  soup.triangles = patch.triangles;
+  return soup;
+}
+
+/// The same state with the distances of its free vertices; the vertices around it have 0.
+ComparedRunPtr with_distances(const ComparedRun& state, const TriangleSoup& from, const CancelToken& cancel) {
+  auto measured = std::make_shared<ComparedRun>(state);
+  Points points;
+  for (int v = 0; v < state.patch.free_count; ++v)
+    points.push_back(state.patch.to_mesh(state.patch.positions[static_cast<std::size_t>(v)]));
+  measured->distances = signed_distances(points, from.points, from.triangles, cancel);
+  auto shape = std::make_shared<SurfaceShape>(*state.shape);
+  shape->difference.assign(measured->distances.begin(), measured->distances.end());
+  shape->difference.resize(shape->points.size() / 3, 0);
+  measured->shape = std::move(shape);
+  return measured;
+}
+
+ComparedRunPtr without_distances(const ComparedRun& state) {
+  auto plain = std::make_shared<ComparedRun>(state);
+  plain->distances.clear();
+  if (!state.shape->difference.empty()) {
+    auto shape = std::make_shared<SurfaceShape>(*state.shape);
+    shape->difference.clear();
+    plain->shape = std::move(shape);
+  }
+  return plain;
 }
 
 /// Where H jumps most at the start: there the profile is taken until all flows have ended.
@@ -60,7 +95,8 @@ ComparisonController::ComparisonController(ComparisonSource source, QObject* par
 }
 
 ComparisonController::~ComparisonController() {
-  if (job_) job_->cancel();
+  for (const JobPtr& job : {job_, measuring_})
+    if (job) job->cancel();
 }
 
 void ComparisonController::prepare() {
@@ -86,6 +122,7 @@ void ComparisonController::prepare() {
         forget_results();
         stage_ = Stage::ready;
         Q_EMIT stage_changed();
+        measure();
       },
       [this](const QString& text) {
         job_.reset();
@@ -98,6 +135,7 @@ void ComparisonController::prepare() {
 void ComparisonController::forget_results() {
   comparison_.reset();
   newest_.clear();
+  if (start_) start_ = without_distances(*start_);
   curves_.assign(flows_.size(), {});
   for (FlowKind flow : flows_) {
     if (!start_) {
@@ -117,6 +155,50 @@ void ComparisonController::set_flows(const std::vector<FlowKind>& flows) {
   flows_ = flows;
   forget_results();
   Q_EMIT stage_changed();
+  measure();
+}
+
+void ComparisonController::measure_from(const std::optional<DistanceFrom>& from) {
+  if (from == from_) return;
+  from_ = from;
+  measure();
+}
+
+void ComparisonController::measure() {
+  if (measuring_) measuring_->cancel();
+  measuring_.reset();
+  if (!from_ || !start_ || stage_ != Stage::ready) return;
+  std::vector<ComparedRunPtr> states = newest_;
+  states.push_back(start_);
+  const Patch* patch = from_->kind == DistanceFrom::Kind::start ? &start_->patch : nullptr;
+  for (const ComparedRunPtr& state : newest_)
+    if (from_->kind == DistanceFrom::Kind::flow && state->flow == from_->flow) patch = &state->patch;
+  if (!patch && from_->kind == DistanceFrom::Kind::flow) {  // no view has it
+    for (ComparedRunPtr& state : newest_) state = without_distances(*state);
+    Q_EMIT measured();
+    return;
+  }
+  measuring_ = std::make_shared<Job>(this);
+  tasks_.run(
+      measuring_,
+      [job = measuring_, states, mesh = from_->mesh, own = patch ? surface_of(*patch) : TriangleSoup()] {
+        const TriangleSoup from = mesh.empty() ? own : read_mesh(mesh).soup;
+        std::vector<ComparedRunPtr> measured;
+        for (const ComparedRunPtr& state : states) measured.push_back(with_distances(*state, from, job->token()));
+        return measured;
+      },
+      [this](std::vector<ComparedRunPtr> measured) {
+        measuring_.reset();
+        start_ = measured.back();
+        measured.pop_back();
+        newest_ = std::move(measured);
+        Q_EMIT this->measured();
+      },
+      [this](const QString& text) {
+        measuring_.reset();
+        from_.reset();
+        Q_EMIT failed(text);
+      });
 }
 
 /// One flow on its worker. Has its own copies of all it reads; the race is only told of what has come.
@@ -200,6 +282,8 @@ class ComparisonController::FlowRun {
 
 void ComparisonController::run(const EvolutionOptions& base) {
   if (stage_ != Stage::ready) return;
+  if (measuring_) measuring_->cancel();
+  measuring_.reset();
   forget_results();
   job_ = std::make_shared<Job>(this);
   auto post = std::make_shared<Post>(flows_.size());
@@ -245,6 +329,7 @@ void ComparisonController::end(const std::shared_ptr<Post>& post) {
   job_.reset();
   stage_ = Stage::ready;
   Q_EMIT stage_changed();
+  measure();
 }
 
 void ComparisonController::stop() {
@@ -259,10 +344,12 @@ void ComparisonController::stop() {
   }
   stage_ = Stage::ready;
   Q_EMIT stage_changed();
+  measure();
 }
 
 bool ComparisonController::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
+  for (const JobPtr& job : {job_, measuring_})
+    if (job) job->cancel();
   return tasks_.wait(at_most);
 }
 

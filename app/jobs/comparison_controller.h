@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,9 +32,18 @@ struct ComparedRun : PatchResult {
   PatchEnergies energies;
   double wide_jump = 0;  ///< NaN until the flow has ended
   std::vector<ProfilePoint> profile;
+  std::vector<double> distances;  ///< of the free vertices from another surface, signed; empty: not measured
   std::shared_ptr<const SurfaceShape> shape;
 };
 using ComparedRunPtr = std::shared_ptr<const ComparedRun>;
+
+/// What the distances of all runs are measured from.
+struct DistanceFrom {
+  enum class Kind { flow, start, mesh } kind = Kind::flow;
+  FlowKind flow = FlowKind::mmcvf;
+  std::filesystem::path mesh{};
+  bool operator==(const DistanceFrom&) const = default;
+};
 
 /// A point of a run's curves.
 struct ComparisonPoint {
@@ -71,11 +81,15 @@ class ComparisonController : public QObject {
   const std::vector<ComparisonPoint>& curve(int flow_run) const { return curves_[static_cast<std::size_t>(flow_run)]; }
   /// What `loopmend compare` would tell; once every run has ended.
   const std::optional<FlowComparison>& comparison() const { return comparison_; }
+  /// Distances are measured whenever no flow runs. Empty: not at all.
+  void measure_from(const std::optional<DistanceFrom>& from);
+  bool is_measuring() const { return measuring_ != nullptr; }
   bool shut_down(std::chrono::milliseconds at_most);
 
  Q_SIGNALS:
   void stage_changed();
   void flow_run_moved(int flow_run);
+  void measured();  ///< every run, and the start, may have other distances
   void failed(const QString& words);
 
  private:
@@ -85,6 +99,7 @@ class ComparisonController : public QObject {
   void forget_results();
   void take_news(const std::shared_ptr<Post>& post);
   void end(const std::shared_ptr<Post>& post);
+  void measure();
 
   ComparisonSource source_;
   Stage stage_ = Stage::preparing;
@@ -94,7 +109,8 @@ class ComparisonController : public QObject {
   std::vector<ComparedRunPtr> newest_;
   std::vector<std::vector<ComparisonPoint>> curves_;
   std::optional<FlowComparison> comparison_;
-  JobPtr job_;
+  std::optional<DistanceFrom> from_;
+  JobPtr job_, measuring_;
   TaskRunner tasks_{Yielding::as_it_can};
 };
 

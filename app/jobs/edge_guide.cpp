@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/edge_guide.h"
 
+#include "document/targets.h"
 #include "pipeline/edge_preview.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ bool joins(const GuideEdge& edge, const std::pair<int, int>& ends) {
   return std::minmax(edge.begin, edge.end) == std::minmax(ends.first, ends.second);
 }
 
+/// @param edits  at the loop
 std::vector<GuideEdge> edges_of(const OpenedScan& scan, int index, const BoundaryLoop& loop, const EdgeEdits& edits,
                                 const Vec3& origin, const CancelToken& cancel) {
   constexpr double density = 1;
@@ -25,12 +27,7 @@ std::vector<GuideEdge> edges_of(const OpenedScan& scan, int index, const Boundar
     for (Vec3& p : found.line) p -= origin;
     edges.push_back({GuideEdge::Kind::continued, index, std::move(found.line), found.begin, found.end});
   }
-  const auto is_on_loop = [&](int point) {
-    return std::any_of(loop.vertices.begin(), loop.vertices.end(),
-                       [&](int v) { return scan.model->soup_vertex[static_cast<std::size_t>(v)] == point; });
-  };
   for (const auto& ends : edits.drawn) {
-    if (!is_on_loop(ends.first) || !is_on_loop(ends.second)) continue;
     const auto found =
         std::find_if(edges.begin(), edges.end(), [&](const GuideEdge& edge) { return joins(edge, ends); });
     if (found != edges.end()) {
@@ -69,70 +66,79 @@ void EdgeGuide::watch(Watch what) {
 
 void EdgeGuide::forget() {
   known_.clear();
+  asked_.clear();
   follow();
 }
 
 std::vector<int> EdgeGuide::loops() const {
   if (watch_ == Watch::nothing) return {};
-  std::vector<int> loops;
-  const auto take = [&](int loop) {
-    if (document_.present(loop) && document_.fillable(loop) && !document_.patch_of(loop)) loops.push_back(loop);
-  };
-  for (int loop : selection_.selected()) take(loop);
-  if (loops.empty())
-    for (int loop = 0; loop < document_.loop_count(); ++loop) take(loop);
-  std::stable_sort(loops.begin(), loops.end(),
-                   [this](int a, int b) { return document_.loop(a).diameter > document_.loop(b).diameter; });
-  if (loops.size() > most_loops) loops.resize(most_loops);
-  return loops;
+  return largest(document_, loops_to_fill(document_, selection_), most_loops);
 }
 
-/// Loops whose edges are known for the present edits are not asked again.
+EdgeEdits EdgeGuide::edits_at_loop(int loop) const {
+  const int scan = document_.scan_of(loop);
+  return edits_at(*document_.scan(scan)->model, {document_.loop(loop)}, document_.edge_edits(scan));
+}
+
+bool EdgeGuide::is_known(int loop) const {
+  const auto known = known_.find(loop);
+  return known != known_.end() && known->second.edits == edits_at_loop(loop);
+}
+
+void EdgeGuide::collect() {
+  edges_.clear();
+  for (int loop : loops())
+    if (is_known(loop)) edges_.insert(edges_.end(), known_.at(loop).edges.begin(), known_.at(loop).edges.end());
+  Q_EMIT changed();
+}
+
+/// Asks for what neither is known nor asked for: a fill of many holes changes the document often.
 void EdgeGuide::follow() {
+  std::vector<Asked> wanted;
+  for (int loop : loops())
+    if (!is_known(loop)) {
+      const int scan = document_.scan_of(loop);
+      wanted.push_back({document_.scan(scan), scan, loop, document_.loop(loop), edits_at_loop(loop)});
+    }
+  const bool is_asked = std::all_of(wanted.begin(), wanted.end(), [this](const Asked& one) {
+    const auto asked = asked_.find(one.loop);
+    return asked != asked_.end() && asked->second == one.edits;
+  });
+  if (wanted.empty() || !is_asked) ask(wanted);
+  collect();
+}
+
+/// Each loop appears when it is done. @param wanted  instead of what the running job looks for
+void EdgeGuide::ask(const std::vector<Asked>& wanted) {
   if (job_) job_->cancel();
   job_.reset();
-  edges_.clear();
-  struct Wanted {
-    std::shared_ptr<const OpenedScan> scan;
-    int index = 0, loop = 0;
-    BoundaryLoop boundary;
-    EdgeEdits edits;
+  asked_.clear();
+  if (wanted.empty()) return;
+  for (const Asked& one : wanted) asked_[one.loop] = one.edits;
+  job_ = std::make_shared<Job>(this);
+  const auto end = [this] {
+    job_.reset();
+    asked_.clear();
+    collect();
   };
-  std::vector<Wanted> wanted;
-  for (int loop : loops()) {
-    const int scan = document_.scan_of(loop);
-    const EdgeEdits& edits = document_.edge_edits(scan);
-    const auto known = known_.find(loop);
-    if (known != known_.end() && known->second.edits == edits)
-      edges_.insert(edges_.end(), known->second.edges.begin(), known->second.edges.end());
-    else
-      wanted.push_back({document_.scan(scan), scan, loop, document_.loop(loop), edits});
-  }
-  if (!wanted.empty()) {
-    job_ = std::make_shared<Job>(this);
-    tasks_.run(
-        job_,
-        [wanted, job = job_, origin = document_.origin()] {
-          std::map<int, Known> found;
-          for (const Wanted& one : wanted)
-            found[one.loop] = {one.edits,
-                               edges_of(*one.scan, one.index, one.boundary, one.edits, origin, job->token())};
-          return found;
-        },
-        [this](const std::map<int, Known>& found) {
-          job_.reset();
-          for (const auto& [loop, known] : found) {
-            known_[loop] = known;
-            edges_.insert(edges_.end(), known.edges.begin(), known.edges.end());
+  tasks_.run(
+      job_,
+      [this, wanted, job = job_, origin = document_.origin()] {
+        for (const Asked& one : wanted) {
+          Known found{one.edits, {}};
+          try {
+            found.edges = edges_of(*one.scan, one.index, one.boundary, one.edits, origin, job->token());
+          } catch (const std::exception&) {  // a preview alone, and the other loops have theirs
           }
-          Q_EMIT changed();
-        },
-        [this](const QString&) {  // a preview alone
-          job_.reset();
-          Q_EMIT changed();
-        });
-  }
-  Q_EMIT changed();
+          if (job->token().cancelled()) break;
+          job->post([this, loop = one.loop, found = std::move(found)] {
+            known_[loop] = found;
+            collect();
+          });
+        }
+        return 0;
+      },
+      [end](int) { end(); }, [end](const QString&) { end(); });
 }
 
 void EdgeGuide::draw(int scan, int soup_a, int soup_b) {

@@ -49,19 +49,31 @@ class EdgeGuide : public QObject {
   void changed();
 
  private:
+  /// What was found for a loop, and for which edits of it.
   struct Known {
     EdgeEdits edits;
     std::vector<Edge> edges;
   };
+  struct Asked {
+    std::shared_ptr<const OpenedScan> scan;
+    int index = 0, loop = 0;
+    BoundaryLoop boundary;
+    EdgeEdits edits;
+  };
   void forget();
   void follow();
+  void ask(const std::vector<Asked>& wanted);
+  void collect();
   std::vector<int> loops() const;
+  EdgeEdits edits_at_loop(int loop) const;
+  bool is_known(int loop) const;
 
   Document& document_;
   const HoleSelection& selection_;
   Watch watch_ = Watch::nothing;
   std::vector<Edge> edges_;
-  std::map<int, Known> known_;  ///< by loop
+  std::map<int, Known> known_;      ///< by loop
+  std::map<int, EdgeEdits> asked_;  ///< of the running job, by loop
   JobPtr job_;
   TaskRunner tasks_;
 };

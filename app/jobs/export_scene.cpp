@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/export_scene.h"
 
-#include "export/write_scan.h"
 #include "mesh/scan_attributes.h"
 #include "pipeline/paste.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace loopmend {
 namespace {
@@ -16,7 +18,8 @@ bool is_left_out(const OpenPatch& patch) {
   return patch.state->status == PatchStatus::invalid && patch.acceptance != Acceptance::accepted;
 }
 
-TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result) {
+/// @param deviations  takes up the likely error of each vertex that comes to those of the scan, NaN where it is not known.
+TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result, std::vector<double>& deviations) {
   SurfaceModel model = *part.model;
   std::vector<const OpenPatch*> wanted;
   std::vector<const Patch*> patches;
@@ -29,8 +32,16 @@ TriangleSoup pasted(const ExportTask::Part& part, ExportResult& result) {
     patches.push_back(&patch.state->patch);
   }
   const std::vector<PastedPatch> outcomes = paste_patches(model, patches);
-  for (std::size_t k = 0; k < outcomes.size(); ++k)
-    if (!outcomes[k].fault.empty()) leave_open(*wanted[k], result);
+  const std::size_t scan = part.model->soup.points.size();
+  deviations.assign(model.soup.points.size() - scan, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    const std::vector<double>& own = wanted[k]->state->deviation.vertices;
+    if (!outcomes[k].fault.empty())
+      leave_open(*wanted[k], result);
+    else if (outcomes[k].first_point >= 0)
+      std::copy(own.begin(), own.end(),
+                deviations.begin() + (outcomes[k].first_point - static_cast<std::ptrdiff_t>(scan)));
+  }
   return model.soup;
 }
 
@@ -70,10 +81,10 @@ TriangleSoup plain_surface(const ExportTask& task) {
   return joined(std::move(soups));
 }
 
-ExportTask export_task(const Document& document, const std::filesystem::path& path, ExportContent content) {
+ExportTask export_task(const Document& document, const std::filesystem::path& path, const ExportChoice& choice) {
   ExportTask task;
   task.path = path;
-  task.content = content;
+  task.choice = choice;
   if (!document.chosen_units().empty()) task.unit = document.unit();
   for (int index : document.scans()) {
     ExportTask::Part part{document.scan(index)->model, {}};
@@ -90,10 +101,13 @@ ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
   ExportResult result;
   std::vector<TriangleSoup> soups;
   WriteScanOptions options;
+  options.new_faces = task.choice.new_faces;
   for (const ExportTask::Part& part : task.parts) {
     if (cancel.cancelled()) return result;
-    soups.push_back(pasted(part, result));
-    if (task.content == ExportContent::scene) continue;
+    std::vector<double> deviations;
+    soups.push_back(pasted(part, result, deviations));
+    if (task.choice.deviations == ExportChoice::Deviations::written) options.expected_deviation = std::move(deviations);
+    if (task.choice.content == ExportChoice::Content::scene) continue;
     options.written.resize(options.written.size() + part.model->soup.triangles.size(), 0);
     const std::size_t added = soups.back().triangles.size() - part.model->soup.triangles.size();
     options.written.resize(options.written.size() + added, 1);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "export/write_scan.h"
 #include "io/not_kept.h"
 
 #include <filesystem>
@@ -12,7 +13,12 @@
 
 namespace loopmend {
 
-enum class ExportContent { scene, patches };
+/// What a person chooses beside the name of the file.
+struct ExportChoice {
+  enum class Content { scene, patches } content = Content::scene;
+  NewFaces new_faces = NewFaces::like_others;
+  enum class Deviations { left_out, written } deviations = Deviations::left_out;  ///< likely error of new vertices
+};
 
 struct ExportTask {
   struct Part {
@@ -23,7 +29,7 @@ struct ExportTask {
   std::vector<NotKept> not_read;  ///< what reading left out already
   std::string unit;               ///< as chosen by a person for all scans; empty: as the files have it
   std::filesystem::path path;
-  ExportContent content = ExportContent::scene;
+  ExportChoice choice;
 };
 
 struct ExportResult {
@@ -36,8 +42,7 @@ struct ExportResult {
 
 /// The scene as it is. Patches that are `invalid` come along only where a person has accepted them; one that intersects
 /// another patch is left out in any case.
-ExportTask export_task(const Document& document, const std::filesystem::path& path,
-                       ExportContent content = ExportContent::scene);
+ExportTask export_task(const Document& document, const std::filesystem::path& path, const ExportChoice& choice = {});
 
 /// The scans with these patches, as they would be written, without their attributes. Patches are not tested against each
 /// other.

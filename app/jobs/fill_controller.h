@@ -101,7 +101,7 @@ class FillController : public QObject {
   void open_session(const SessionFile& session);
   void save_session(const QString& path, KeepScans keep = KeepScans::outside);
   /// All scans and patches as one mesh; the format follows the extension. Patches that cut are left out unless accepted.
-  void export_to(const QString& path, ExportContent content = ExportContent::scene);
+  void export_to(const QString& path, const ExportChoice& choice = {});
 
   /// Loops that have a patch already are passed over.
   void fill(const std::set<int>& loops, const FillChoice& choice);
@@ -205,7 +205,7 @@ class FillController : public QObject {
   Restored restore(const SessionFile& file, const JobPtr& job) const;
   void on_restored(Restored restored, const QString& path, const QString& shown_as);
   void on_judged(OpenPatch patch, PatchStatePtr state);
-  void on_exported(const ExportResult& result, const QString& path, ExportContent content);
+  void on_exported(const ExportResult& result, const QString& path, ExportChoice::Content content);
   void show_running();
   void take_records();
   void on_run_ended(const FillOutcome& outcome);

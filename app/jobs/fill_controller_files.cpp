@@ -343,22 +343,22 @@ void FillController::save_session(const QString& path, KeepScans keep) {
       [this](const QString& text) { give_up(text); });
 }
 
-void FillController::export_to(const QString& path, ExportContent content) {
+void FillController::export_to(const QString& path, const ExportChoice& choice) {
   if (busy() || !document_.has_scan()) return;
   const JobPtr job = begin(Activity::writing, tr("Writing %1").arg(QFileInfo(path).fileName()));
   tasks_.run(
       job,
-      [this, job, task = export_task(document_, file_path(path), content)] {
+      [this, job, task = export_task(document_, file_path(path), choice)] {
         return writing_.take(*job, [&] { return export_scene(task, job->token()); });
       },
-      [this, path, content](const ExportResult& result) { on_exported(result, path, content); },
+      [this, path, content = choice.content](const ExportResult& result) { on_exported(result, path, content); },
       [this](const QString& text) { give_up(text); });
 }
 
-void FillController::on_exported(const ExportResult& result, const QString& path, ExportContent content) {
+void FillController::on_exported(const ExportResult& result, const QString& path, ExportChoice::Content content) {
   end();
   // What was left out would be lost without a question.
-  if (content == ExportContent::scene && result.left_open.empty()) undo_.mark_saved();
+  if (content == ExportChoice::Content::scene && result.left_open.empty()) undo_.mark_saved();
   QString text = tr("Wrote %1: %2 triangles.").arg(QDir::toNativeSeparators(path), labels::count(result.triangles));
   if (!result.not_kept.empty()) text += tr(" Not in it: %1.").arg(labels::not_kept(result.not_kept));
   if (result.largest_rounding > 0 && path.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive))

@@ -153,6 +153,7 @@ void FillController::cancel() {
   if (!job_) return;
   const Activity what = activity_;
   if (what != Activity::filling) take_records();
+  if (what != Activity::filling && run_) run_->place_rest();
   job_->cancel();
   if (what == Activity::opening) Q_EMIT preview_dropped();
   record_run();

@@ -2,6 +2,7 @@
 #include "jobs/mirror_guide.h"
 
 #include "analysis/curvature_field.h"
+#include "document/targets.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
 
@@ -59,8 +60,7 @@ void MirrorGuide::follow() {
     if (scan >= 0 && plane_ && loops() != compared_) compare();
     return;
   }
-  if (job_) job_->cancel();
-  job_.reset();
+  stop();
   scan_ = scan;
   planes_.clear();
   plane_.reset();
@@ -70,65 +70,63 @@ void MirrorGuide::follow() {
   Q_EMIT changed();
 }
 
-void MirrorGuide::find_planes() {
+void MirrorGuide::stop() {
+  if (job_) job_->cancel();
+  job_.reset();
+  has_failed_ = false;
+}
+
+template <class Work, class Done>
+void MirrorGuide::start(Work work, Done done) {
+  stop();
   job_ = std::make_shared<Job>(this);
   tasks_.run(
-      job_, [context = context_of_(scan_), job = job_] { return find_mirror_planes(context->model(), job->token()); },
-      [this](const std::vector<MirrorPlane>& found) {
+      job_, [work = std::move(work), job = job_] { return work(job->token()); },
+      [this, done = std::move(done)](const auto& result) {
         job_.reset();
-        planes_ = found;
-        if (const auto& chosen = document_.mirror_plane(scan_))
-          plane_ = chosen;
-        else if (!found.empty())
-          plane_ = found.front();
-        compare();
+        done(result);
       },
       [this](const QString&) {  // a preview alone
         job_.reset();
+        has_failed_ = true;
         Q_EMIT changed();
       });
 }
 
+void MirrorGuide::find_planes() {
+  plane_ = document_.mirror_plane(scan_);
+  start([context =
+             context_of_(scan_)](const CancelToken& cancel) { return find_mirror_planes(context->model(), cancel); },
+        [this](const std::vector<MirrorPlane>& found) {
+          planes_ = found;
+          if (!plane_ && !found.empty()) plane_ = found.front();
+          compare();
+        });
+}
+
 std::vector<int> MirrorGuide::loops() const {
-  std::vector<int> loops;
-  const auto take = [&](int loop) {
-    if (document_.present(loop) && document_.scan_of(loop) == scan_ && document_.fillable(loop) &&
-        !document_.patch_of(loop))
-      loops.push_back(loop);
-  };
-  for (int loop : selection_.selected()) take(loop);
-  if (loops.empty())
-    for (int loop = 0; loop < document_.loop_count(); ++loop) take(loop);
-  std::stable_sort(loops.begin(), loops.end(),
-                   [this](int a, int b) { return document_.loop(a).diameter > document_.loop(b).diameter; });
-  if (loops.size() > most_compared) loops.resize(most_compared);
-  return loops;
+  std::set<int> loops = loops_to_fill(document_, selection_);
+  std::erase_if(loops, [this](int loop) { return document_.scan_of(loop) != scan_; });
+  return largest(document_, loops, most_compared);
 }
 
 void MirrorGuide::compare() {
-  if (job_) job_->cancel();
-  job_.reset();
+  stop();
   fits_.clear();
   compared_ = loops();
   if (plane_ && !compared_.empty()) {
     std::vector<std::pair<int, BoundaryLoop>> wanted;
     for (int loop : compared_) wanted.emplace_back(loop, document_.loop(loop));
-    job_ = std::make_shared<Job>(this);
-    tasks_.run(
-        job_,
-        [wanted, plane = *plane_, context = context_of_(scan_), origin = document_.origin(), job = job_] {
+    start(
+        [wanted, plane = *plane_, context = context_of_(scan_),
+         origin = document_.origin()](const CancelToken& cancel) {
           std::vector<Fit> fits;
           for (const auto& [loop, boundary] : wanted)
-            fits.push_back(fit_of(*context, loop, boundary, plane, origin, job->token()));
+            fits.push_back(fit_of(*context, loop, boundary, plane, origin, cancel));
           return fits;
         },
         [this](const std::vector<Fit>& fits) {
-          job_.reset();
           fits_ = fits;
-          Q_EMIT changed();
-        },
-        [this](const QString&) {
-          job_.reset();
           Q_EMIT changed();
         });
   }
@@ -136,6 +134,7 @@ void MirrorGuide::compare() {
 }
 
 void MirrorGuide::move_plane(const MirrorPlane& plane) {
+  stop();
   plane_ = plane;
   fits_.clear();
   Q_EMIT changed();

@@ -36,6 +36,7 @@ class MirrorGuide : public QObject {
   void watch(Watch what);
   int scan() const { return scan_; }
   bool busy() const { return job_ != nullptr; }
+  bool has_failed() const { return has_failed_; }                     ///< of the last search or comparison
   const std::vector<MirrorPlane>& planes() const { return planes_; }  ///< found, the best first
   const std::optional<MirrorPlane>& plane() const { return plane_; }  ///< what holes are compared in
   const std::vector<Fit>& fits() const { return fits_; }
@@ -54,6 +55,9 @@ class MirrorGuide : public QObject {
 
  private:
   void follow();
+  template <class Work, class Done>
+  void start(Work work, Done done);
+  void stop();
   void find_planes();
   void compare();
   std::vector<int> loops() const;
@@ -67,6 +71,7 @@ class MirrorGuide : public QObject {
   std::optional<MirrorPlane> plane_;
   std::vector<Fit> fits_;
   std::vector<int> compared_;
+  bool has_failed_ = false;
   JobPtr job_;
   TaskRunner tasks_;
 };

@@ -48,8 +48,10 @@ QString shading_help(Shading shading) {
           "on export.");
     case Shading::deviation:
       return LookPanel::tr(
-          "How far each point of a patch is likely from what was there. Known after a fill with the default boundary; an "
+          "How far each point of a patch is likely from what was there. Known after a fill with the default boundary; "
+          "an "
           "estimate, calibrated on holes that were cut into whole models.");
+    case Shading::difference: break;  // of comparisons
   }
   return {};
 }

@@ -156,6 +156,7 @@ const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading) 
     case Shading::curvature: return shape.H;
     case Shading::gaussian: return shape.K;
     case Shading::deviation: return shape.deviation;
+    case Shading::difference: return shape.difference;
     case Shading::plain:
     case Shading::zebra:
     case Shading::isophotes:

@@ -24,6 +24,7 @@ struct SurfaceShape {
   std::vector<float> H;               ///< #V, mean curvature, 1/length, NaN where unknown; empty before it was computed
   std::vector<float> K;               ///< #V, Gaussian curvature, 1/length², likewise
   std::vector<float> deviation;       ///< #V, of a patch: likely distance from what was there, mesh units; else empty
+  std::vector<float> difference;      ///< #V, of a compared patch: signed distance from another surface; else empty
   std::vector<unsigned char> colors;  ///< 3 × #V, red, green, blue; empty: it has none of its own
   std::vector<float> texture;         ///< 2 × #V, of a part of a scan that has a picture; else empty
   std::shared_ptr<const Picture> picture;  ///< of `texture`

@@ -44,6 +44,7 @@ MirrorBox::MirrorBox(const Document& document, MirrorGuide& guide, QWidget* pare
 
 QString MirrorBox::fits_text() const {
   if (guide_.busy() && guide_.planes().empty()) return tr("Looking for planes of symmetry\u2026");
+  if (guide_.has_failed()) return tr("The scan could not be compared with its image.");
   if (!guide_.plane()) return tr("No plane of symmetry was found.");
   if (guide_.busy()) return tr("Comparing the holes with the image\u2026");
   QStringList lines;

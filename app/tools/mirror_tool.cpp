@@ -4,8 +4,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include <Eigen/Geometry>
-
 #include <cmath>
 
 namespace loopmend {
@@ -26,19 +24,35 @@ MirrorTool::MirrorTool(const Document& document, MirrorGuide& guide, QObject* pa
     : QObject(parent),
       document_(document),
       guide_(guide) {
-  connect(&guide_, &MirrorGuide::changed, this, &MirrorTool::changed);
+  connect(&guide_, &MirrorGuide::changed, this, &MirrorTool::follow);
+  for (auto signal : {&Document::opened, &Document::scans_changed})
+    connect(&document_, signal, this, [this] {
+      boxed_ = -1;
+      follow();
+    });
+}
+
+bool MirrorTool::has_plane() const {
+  return guide_.plane() && document_.scan(guide_.scan()) && boxed_ == guide_.scan();
+}
+
+void MirrorTool::follow() {
+  if (boxed_ != guide_.scan() && document_.scan(guide_.scan())) {
+    boxed_ = guide_.scan();
+    box_.setEmpty();
+    for (const Vec3& p : document_.scan(boxed_)->model->soup.points) box_.extend(p - document_.origin());
+  }
+  Q_EMIT changed();
 }
 
 /// As large as the scan, its middle where the scan's middle falls on the plane.
 MirrorTool::Frame MirrorTool::frame() const {
   const MirrorPlane& plane = *guide_.plane();
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : document_.scan(guide_.scan())->model->soup.points) box.extend(p - document_.origin());
   const Eigen::Vector3d point = plane.point - document_.origin(), n = plane.normal;
-  const double half = 0.4 * box.diagonal().norm();
+  const double half = 0.4 * box_.diagonal().norm();
   Frame frame;
   frame.normal = n;
-  frame.middle = box.center() - n.dot(box.center() - point) * n;
+  frame.middle = box_.center() - n.dot(box_.center() - point) * n;
   frame.first = half * n.unitOrthogonal();
   frame.second = n.cross(frame.first);
   return frame;
@@ -64,7 +78,7 @@ MirrorTool::Handle MirrorTool::handle_at(const QPointF& at, const ViewSpace& spa
 }
 
 bool MirrorTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space) {
-  if (!guide_.plane()) return false;
+  if (!has_plane()) return false;
   const QPointF at = event.localPos();
   switch (act) {
     case Act::hover: hovered_ = handle_at(at, space); return true;
@@ -112,7 +126,7 @@ void MirrorTool::drag(const QPointF& at, const ViewSpace& space) {
 }
 
 void MirrorTool::paint(QPainter& painter, const ViewSpace& space) {
-  if (!guide_.plane() || !document_.scan(guide_.scan())) return;
+  if (!has_plane()) return;
   const Frame f = frame();
   const QColor blue(20, 110, 190), ink(24, 28, 34);
   QPolygonF outline;

@@ -7,6 +7,8 @@
 
 #include <QPolygonF>
 
+#include <Eigen/Geometry>
+
 #include <array>
 
 namespace loopmend {
@@ -33,11 +35,15 @@ class MirrorTool : public QObject, public ViewTool {
     Eigen::Vector3d middle, normal, first, second;  ///< the last two in the plane, as long as half its sides
   };
   Frame frame() const;
+  bool has_plane() const;
+  void follow();
   Handle handle_at(const QPointF& at, const ViewSpace& space) const;
   void drag(const QPointF& at, const ViewSpace& space);
 
   const Document& document_;
   MirrorGuide& guide_;
+  int boxed_ = -1;           ///< the scan whose box is known
+  Eigen::AlignedBox3d box_;  ///< scene's frame
   Handle held_ = Handle::none, hovered_ = Handle::none;
   QPointF pressed_;
   Frame before_{};

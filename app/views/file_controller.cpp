@@ -129,12 +129,13 @@ void FileController::ask_export() {
   const QString chosen = filters.value(format);
   const QString ending = chosen.section(QStringLiteral("*"), 1).chopped(1);
   ExportDialog dialog(check_, proposal(QStringLiteral("-filled") + ending), filters, chosen, window_);
+  if (document_.scans().size() > 1) dialog.leave_out_labels();
   dialog.tell_of_hidden(visibility_.hidden_count());
   if (const std::string unit = document_.unit(); !unit.empty()) dialog.tell_unit(labels::unit_name(unit));
-  if (dialog.exec() == QDialog::Accepted && !dialog.path().isEmpty()) export_to(dialog.path(), dialog.content());
+  if (dialog.exec() == QDialog::Accepted && !dialog.path().isEmpty()) export_to(dialog.path(), dialog.choice());
 }
 
-void FileController::export_to(const QString& path, ExportContent content) {
+void FileController::export_to(const QString& path, const ExportChoice& choice) {
   std::set<int> initial;
   std::size_t holes = 0;
   for (const OpenPatch& patch : document_.patches()) {
@@ -142,23 +143,23 @@ void FileController::export_to(const QString& path, ExportContent content) {
     if (movable && patch.state->recipe.runs.empty() && initial.insert(patch.id).second) holes += patch.loops.size();
   }
   if (initial.empty()) {
-    controller_.export_to(path, content);
+    controller_.export_to(path, choice);
     return;
   }
   banner_.ask(
       tr("%Ln hole(s) closed by an initial patch: no flow has smoothed it yet.", nullptr, static_cast<int>(holes)),
       {{tr("&Smooth, then export"), "answerSmooth",
-        [this, path, content, initial] {
+        [this, path, choice, initial] {
           if (controller_.busy()) return;
           Q_EMIT smoothing_wanted(initial);
           if (!controller_.busy()) return;  // these patches are gone or accepted by now
           const auto done = std::make_shared<QMetaObject::Connection>();
-          *done = connect(&controller_, &FillController::flow_ended, this, [this, path, content, done](RunEnd end) {
+          *done = connect(&controller_, &FillController::flow_ended, this, [this, path, choice, done](RunEnd end) {
             disconnect(*done);
-            if (end == RunEnd::complete) controller_.export_to(path, content);
+            if (end == RunEnd::complete) controller_.export_to(path, choice);
           });
         }},
-       {tr("E&xport as they are"), "answerExport", [this, path, content] { controller_.export_to(path, content); }},
+       {tr("E&xport as they are"), "answerExport", [this, path, choice] { controller_.export_to(path, choice); }},
        {tr("&Cancel"), "answerCancel", [] {}}});
 }
 

@@ -35,7 +35,7 @@ class FileController : public QObject {
   void ask_open(OpenMode mode);
   void ask_export();
   /// Asks first where some patches are initial patches still.
-  void export_to(const QString& path, ExportContent content = ExportContent::scene);
+  void export_to(const QString& path, const ExportChoice& choice = {});
   /// Asks first where patches of this scan would be lost.
   void close_scan(int scan);
   void save_session();
@@ -51,6 +51,8 @@ class FileController : public QObject {
   void show_recent(QMenu* menu);
   void show_scans(QMenu* menu);
 
+  /// A name beside the first scan's.
+  QString proposal(const QString& ending) const;
   bool has_unsaved_work() const;
   const QString& session_path() const { return session_path_; }
 
@@ -64,7 +66,6 @@ class FileController : public QObject {
  private:
   /// Asks first where there is unsaved work. @param scans  that it would be lost of
   void act_when_safe(const std::vector<int>& scans, const QString& lose, const std::function<void()>& act);
-  QString proposal(const QString& ending) const;
   void recover(const Leftover& leftover);
   void offer_to_locate(const SessionFile& session, const QString& scan);
 

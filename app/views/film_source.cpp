@@ -24,6 +24,7 @@ QString shown_by(Shading shading) {
     case Shading::isophotes: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "isophotes"));
     case Shading::deviation: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "likely error"));
     case Shading::scan: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the scan's colours"));
+    case Shading::difference:
     case Shading::plain: return translated(QT_TRANSLATE_NOOP("loopmend::FilmSource", "the surface"));
   }
   return {};

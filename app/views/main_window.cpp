@@ -22,6 +22,7 @@
 #include "views/file_controller.h"
 #include "views/mesh_view.h"
 #include "views/piece_menu.h"
+#include "views/report_writer.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
 
@@ -74,6 +75,7 @@ MainWindow::MainWindow(QWidget* parent)
   resize(QSize(1360, 860).boundedTo(largest_window()));
   build_centre();
   files_ = new FileController(document_, undo_, controller_, check_, visibility_, *banner_, this);
+  report_ = new ReportWriter(document_, *view_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
   files_->ask_for_results_of(tools_->trial());
@@ -418,9 +420,9 @@ void MainWindow::offer_recovery() { files_->offer_recovery(); }
 
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
   const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
-  const bool checked = check_.shut_down(at_most);
+  const bool checked = check_.shut_down(at_most), reported = report_->shut_down(at_most);
   const bool proposed = candidates_.shut_down(at_most);
-  return controller_.shut_down(at_most) && compared && tried && checked && proposed;
+  return controller_.shut_down(at_most) && compared && tried && checked && reported && proposed;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

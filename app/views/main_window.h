@@ -30,6 +30,7 @@ class LookPanel;
 class MeshView;
 class PatchPanel;
 class PieceMenu;
+class ReportWriter;
 class ScenePanel;
 class StatusLine;
 class ToolController;
@@ -65,6 +66,7 @@ class MainWindow : public QMainWindow {
   MeshView& view() { return *view_; }
   CompareController& comparisons() { return *compare_; }
   ToolController& tools() { return *tools_; }
+  ReportWriter& report() { return *report_; }
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -90,6 +92,7 @@ class MainWindow : public QMainWindow {
   void show_repair_dialog();
   void show_picture_dialog();
   void show_film_dialog();
+  void show_written(const QString& path);
   void show_candidates();
   void step_back();
   void update_actions();
@@ -123,6 +126,7 @@ class MainWindow : public QMainWindow {
   PieceMenu* pieces_ = nullptr;
   InspectPanel* inspect_ = nullptr;
   StatusLine* status_ = nullptr;
+  ReportWriter* report_ = nullptr;
   ToolController* tools_ = nullptr;
   QStackedLayout* centre_ = nullptr;
   QList<QAction*> dock_toggles_;

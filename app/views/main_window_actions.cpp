@@ -27,6 +27,7 @@
 #include "views/film_source.h"
 #include "views/mesh_view.h"
 #include "views/piece_menu.h"
+#include "views/report_writer.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
 
@@ -40,8 +41,8 @@ constexpr std::pair<const char*, NamedView> sides[] = {
     {"lookFront", NamedView::front}, {"lookBack", NamedView::back}, {"lookLeft", NamedView::left},
     {"lookRight", NamedView::right}, {"lookTop", NamedView::top},   {"lookBottom", NamedView::bottom}};
 constexpr std::pair<const char*, Shading> shadings[] = {
-    {"scanColors", Shading::scan}, {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
-    {"plain", Shading::plain},     {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes},
+    {"scanColors", Shading::scan},    {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
+    {"plain", Shading::plain},        {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes},
     {"deviation", Shading::deviation}};
 
 /// A window of its own that goes when it is closed.
@@ -65,6 +66,9 @@ void MainWindow::connect_file_actions() {
   a.on("export", files_, &FileController::ask_export);
   a.on("screenshot", this, &MainWindow::show_picture_dialog);
   a.on("film", this, &MainWindow::show_film_dialog);
+  a.on("report", this, [this] { report_->ask(files_->proposal(QStringLiteral("-report.html"))); });
+  connect(report_, &ReportWriter::written, this, &MainWindow::show_written);
+  connect(report_, &ReportWriter::failed, banner_, &Banner::show_notice);
   a.on("quit", this, &QWidget::close);
   a.on("preferences", this, &MainWindow::ask_preferences);
   a.on("help", this, [this] { show_beside<HelpWindow>(this); });
@@ -200,11 +204,11 @@ void MainWindow::update_actions() {
                            "isophotes"})
     a[name]->setEnabled(scan);
   a["film"]->setEnabled(idle && has_film(document_, chosen_patches(document_, selection_)));
+  a["report"]->setEnabled(idle && !document_.patches().empty());
   a["scanColors"]->setEnabled(has_scan_colors_);
   const std::vector<OpenPatch>& patches = document_.patches();
-  a["deviation"]->setEnabled(std::any_of(patches.begin(), patches.end(), [](const OpenPatch& patch) {
-    return !patch.state->shape->deviation.empty();
-  }));
+  a["deviation"]->setEnabled(std::any_of(
+      patches.begin(), patches.end(), [](const OpenPatch& patch) { return !patch.state->shape->deviation.empty(); }));
   a["orthographic"]->setEnabled(scan);
   a["showPieces"]->setEnabled(visibility_.hidden_count() > 0);
   for (const auto& [name, side] : sides) a[name]->setEnabled(scan);
@@ -280,11 +284,13 @@ void MainWindow::show_picture_dialog() {
 
 void MainWindow::show_film_dialog() {
   auto* dialog = show_beside<FilmDialog>(this, film_of(*view_, document_, chosen_patches(document_, selection_)));
-  connect(dialog, &FilmDialog::saved, this, [this](const QString& path) {
-    const QString words = tr("Wrote %1.").arg(path);
-    inspect_->log(words);
-    banner_->show_notice(words);
-  });
+  connect(dialog, &FilmDialog::saved, this, &MainWindow::show_written);
+}
+
+void MainWindow::show_written(const QString& path) {
+  const QString text = tr("Wrote %1.").arg(path);
+  inspect_->log(text);
+  banner_->show_notice(text);
 }
 
 }  // namespace loopmend

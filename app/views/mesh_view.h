@@ -60,6 +60,8 @@ class MeshView : public QWidget {
 
   Viewpoint viewpoint() const;
   void set_viewpoint(const Viewpoint& viewpoint);
+  /// From where the loop is seen from above. It must be present.
+  Viewpoint viewpoint_above(int loop) const;
   /// A part of a surface that was painted; null: none.
   void show_marked(std::shared_ptr<const SurfaceShape> shape);
   /// In place of scans and their patches; an empty picture shows these again.

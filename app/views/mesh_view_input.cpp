@@ -317,11 +317,8 @@ void MeshView::frame_if_untouched() {
   if (now.position == impl_->framed.position && now.focus == impl_->framed.focus) frame();
 }
 
-void MeshView::fly_to(int loop) {
+Viewpoint MeshView::viewpoint_above(int loop) const {
   const Document& document = impl_->document;
-  if (loop < 0 || loop >= document.loop_count() || !document.present(loop)) return;
-  if (impl_->visibility.is_hidden_loop(loop))
-    impl_->visibility.set_pieces({impl_->visibility.piece_of_loop(loop)}, SceneVisibility::Visible::shown);
   const OpenedScan& scan = *document.scan(document.scan_of(loop));
   const BoundaryLoop& target = document.loop(loop);
   Stand stand;
@@ -336,7 +333,18 @@ void MeshView::fly_to(int loop) {
   goal->DeepCopy(impl_->camera());
   place_camera(goal, stand);
   goal->OrthogonalizeViewUp();
-  impl_->flight->start(impl_->camera(), pose_of(goal), [this] { redraw(); });
+  const CameraPose pose = pose_of(goal);
+  return {pose.focus + document.origin(), pose.position + document.origin(), pose.up};
+}
+
+void MeshView::fly_to(int loop) {
+  const Document& document = impl_->document;
+  if (loop < 0 || loop >= document.loop_count() || !document.present(loop)) return;
+  if (impl_->visibility.is_hidden_loop(loop))
+    impl_->visibility.set_pieces({impl_->visibility.piece_of_loop(loop)}, SceneVisibility::Visible::shown);
+  const Viewpoint goal = viewpoint_above(loop);
+  impl_->flight->start(impl_->camera(), {goal.focus - document.origin(), goal.eye - document.origin(), goal.up},
+                       [this] { redraw(); });
 }
 
 void MeshView::fly_to_unseen(const std::set<int>& loops) {

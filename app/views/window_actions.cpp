@@ -47,6 +47,10 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions",
                        "Write the flow on the selected patches, or on all, as a film (animated GIF)"),
      "", nullptr},
+    {"report", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write &report\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Write a page with a picture of each patch, its verdict and what was added (HTML or PDF)"),
+     "", nullptr},
     {"quit", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Quit"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the window"), "Ctrl+Q", nullptr},
     {"undo", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Undo"),
@@ -81,8 +85,7 @@ const Spec specs[] = {
     {"scanColors", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Scan colours"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The scan's own colours or texture"), "6", "palette", choice},
     {"deviation", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Likely error"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Colour patches by how far each point is likely from what was there"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Colour patches by how far each point is likely from what was there"),
      "7", "deviation", choice},
     {"wireframe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Wireframe"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw the triangles' edges"), "W", "wireframe", toggle},
@@ -174,8 +177,8 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See, remove or draw the sharp edges that run on across holes"),
      "Shift+E", nullptr},
     {"toolMirrorAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Mirror image\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the plane of symmetry, and what its image would fill"), "Shift+M",
-     nullptr},
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the plane of symmetry, and what its image would fill"),
+     "Shift+M", nullptr},
     {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
     {"candidatesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Other patches\u2026"),
@@ -279,7 +282,7 @@ QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const
 
 void WindowActions::build_menus(const QList<QAction*>& docks) {
   QMenu* file = add_menu(tr("&File"), {"open", "add", "sample", "-", "saveSession", "saveSessionAs", "-", "export",
-                                       "screenshot", "film", "-", "quit"});
+                                       "screenshot", "film", "report", "-", "quit"});
   recent_ = new QMenu(tr("Open &recent"), file);
   close_ = new QMenu(tr("C&lose"), file);
   file->insertMenu((*this)["sample"], recent_);
@@ -287,10 +290,10 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "nextToLookAt", "filter", "-",
                          "preferences"});
   QMenu* view = add_menu(
-      tr("&View"), {"curvature",    "gaussian",   "plain",      "zebra",        "isophotes", "scanColors", "deviation", "-",
-                    "wireframe",    "seams",      "-",          "frame",        "lookFront", "lookBack",   "lookLeft",
-                    "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",      "-",          "hidePiece",
-                    "isolatePiece", "showPieces", "-",          "probe",        "-"});
+      tr("&View"), {"curvature", "gaussian",     "plain",      "zebra",      "isophotes",    "scanColors", "deviation",
+                    "-",         "wireframe",    "seams",      "-",          "frame",        "lookFront",  "lookBack",
+                    "lookLeft",  "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",       "-",
+                    "hidePiece", "isolatePiece", "showPieces", "-",          "probe",        "-"});
   view->addActions(docks);
   add_menu(tr("&Patch"), {"fillAction",
                           "initialAction",
@@ -340,7 +343,8 @@ void WindowActions::build_toolbar() {
   };
   group({"open", "saveSession", "export"}, Qt::ToolButtonTextBesideIcon);
   group({"undo", "redo"}, Qt::ToolButtonIconOnly);
-  group({"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors", "deviation"}, Qt::ToolButtonTextBesideIcon);
+  group({"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors", "deviation"},
+        Qt::ToolButtonTextBesideIcon);
   group({"wireframe", "seams", "frame", "screenshot"}, Qt::ToolButtonIconOnly);
   group({"compare"}, Qt::ToolButtonTextBesideIcon);
   const auto short_name = [this](const char* name, const QString& text) { (*this)[name]->setIconText(text); };

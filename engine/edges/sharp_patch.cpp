@@ -233,16 +233,21 @@ std::optional<Meshed> mesh_parts(const Patch& initial, const Domain& domain, con
   return std::nullopt;
 }
 
-/// Loop edges on both sides of each seam that begins at a stopped place.
-std::vector<std::pair<int, int>> edges_to_join(const SeamLayout& layout, const Sides& sides,
-                                               const std::vector<int>& stopped) {
+/// Loop edges on both sides of each seam that begins at a stopped place, but of those that are drawn.
+std::vector<std::pair<int, int>> edges_to_join(const SeamLayout& layout, const Sides& sides, const LoopEdits& edits) {
   std::vector<std::pair<int, int>> edges;
+  const auto is_drawn = [&](const std::vector<int>& seam) {
+    return std::any_of(edits.drawn.begin(), edits.drawn.end(), [&](const std::pair<int, int>& ends) {
+      return std::minmax(ends.first, ends.second) == std::minmax(seam.front(), seam.back());
+    });
+  };
   const auto first_edge = [&](int side) {
     return static_cast<int>(std::find(sides.of_edge.begin(), sides.of_edge.end(), side) - sides.of_edge.begin());
   };
   for (std::size_t k = 0; k < layout.seams.size(); ++k)
-    if (std::any_of(stopped.begin(), stopped.end(),
-                    [&](int place) { return layout.seams[k].front() == place || layout.seams[k].back() == place; }))
+    if (!is_drawn(layout.seams[k]) && std::any_of(edits.stopped.begin(), edits.stopped.end(), [&](int place) {
+          return layout.seams[k].front() == place || layout.seams[k].back() == place;
+        }))
       edges.emplace_back(first_edge(layout.sides_of_seam[k].first), first_edge(layout.sides_of_seam[k].second));
   return edges;
 }
@@ -255,7 +260,7 @@ struct Tolerance {
 /// @param sides  of the neighborhood. @param joined  takes up loop edges whose sides a stopped edge parts; the patch is then of no use.
 /// @returns nothing where the sides do not fit the loop, or not each other.
 std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& sides, const Tolerance& tolerance,
-                                         const std::vector<int>& stopped, std::vector<std::pair<int, int>>& joined,
+                                         const LoopEdits& edits, std::vector<std::pair<int, int>>& joined,
                                          const CancelToken& cancel) {
   const Domain domain = domain_of(initial);
   if (domain.loop != static_cast<int>(initial.loops[0].size())) return std::nullopt;
@@ -284,7 +289,7 @@ std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& side
     const int outside = sides.of_edge[i];
     result.creased.push_back(outside >= 0 && outside != meshed->layout.side_inside[i]);
   }
-  joined = edges_to_join(meshed->layout, sides, stopped);
+  joined = edges_to_join(meshed->layout, sides, edits);
   for (const Vec3& p : all.points) result.patch.points.push_back(initial.to_mesh(p));
   result.patch.triangles = std::move(all.triangles);
   return result;
@@ -309,7 +314,7 @@ std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const LoopE
       const std::optional<Sides> sides = sharp_sides(initial, reach, side_edits);
       if (!sides) break;
       std::vector<std::pair<int, int>> joined;
-      std::optional<SharpPatch> patch = continue_sides(initial, *sides, tolerance, edits.stopped, joined, cancel);
+      std::optional<SharpPatch> patch = continue_sides(initial, *sides, tolerance, edits, joined, cancel);
       if (patch && joined.empty()) return patch;
       if (joined.empty()) break;
       side_edits.joined.insert(side_edits.joined.end(), joined.begin(), joined.end());

@@ -27,6 +27,10 @@ bool is_judged(const EvolutionOptions& options) {
          options.continuity == SeamContinuity::curvature;
 }
 
+bool continues_edges(const EvolutionOptions& options) {
+  return is_judged(options) && options.edges == SharpEdges::continued;
+}
+
 Message reason_for(const SplitEstimate& estimate, Method method) {
   const bool is_known = std::isfinite(estimate.relief_height), is_noisy = estimate.kind() == NeighborhoodKind::noisy;
   Message scan = !is_known  ? say("the scan around the hole does not tell shape from relief")

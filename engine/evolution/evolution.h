@@ -78,7 +78,7 @@ struct EvolutionOptions {
   /// Of holes, to the steady state: added when the patch is done (pipeline/patch_relief.h). An Evolution by itself has no use for it.
   ReliefChoice relief;
   SharpEdges edges = SharpEdges::continued;  ///< of holes, with `automatic` boundary (pipeline/candidates.h)
-  EdgeEdits edge_edits;                      ///< of these, by hand
+  EdgeEdits edge_edits;                      ///< of these, by hand; see continues_edges()
 };
 
 /// @throws InvalidArgument if an option is out of range.
@@ -86,6 +86,8 @@ void check(const EvolutionOptions& options);
 
 /// True if the boundary data decide how far the flow itself runs: nothing in the options does.
 bool is_judged(const EvolutionOptions& options);
+/// True if sharp edges run on, and what is drawn or stopped by hand counts: nothing in the options asks for one smooth patch.
+bool continues_edges(const EvolutionOptions& options);
 
 /// What shaped a patch.
 enum class Method {

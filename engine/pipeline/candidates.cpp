@@ -268,7 +268,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     mirrored = mirrored_patch(problem, options, cancel);
     if (is_filled(mirrored.status)) return mirrored;
   }
-  const LoopEdits edits = edits_of(problem.scan.model, problem.initial, options.edge_edits);
+  const LoopEdits edits =
+      continues_edges(options) ? edits_of(problem.scan.model, problem.initial, options.edge_edits) : LoopEdits();
   // A loop with an edge across it is no flat cut.
   const std::vector<LoopEnd> ends = edits.drawn.empty() ? ends_of(problem) : std::vector<LoopEnd>();
   const Judge judge = judge_for(problem, options, ends);
@@ -280,7 +281,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       ends,
                       std::nullopt};
   if (is_judged(options)) {
-    if (options.edges == SharpEdges::continued && problem.loops.size() == 1 && !situation.is_cut())
+    if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut())
       situation.sharp = continue_sharp_edges(problem.initial, edits, cancel);
     if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {
       const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);

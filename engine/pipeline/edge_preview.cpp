@@ -3,9 +3,11 @@
 
 #include "core/error.h"
 #include "filling/loop_patch.h"
+#include "pipeline/flat_cut.h"
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace loopmend {
 
@@ -16,6 +18,17 @@ int soup_point(const SurfaceModel& model, const Patch& patch, int vertex) {
 }
 
 }  // namespace
+
+EdgeEdits edits_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const EdgeEdits& edits) {
+  std::set<int> points;
+  for (const BoundaryLoop& loop : loops)
+    for (int v : loop.vertices) points.insert(model.soup_vertex[static_cast<std::size_t>(v)]);
+  EdgeEdits own = edits;
+  std::erase_if(own.drawn,
+                [&](const auto& ends) { return !points.contains(ends.first) || !points.contains(ends.second); });
+  std::erase_if(own.stopped, [&](int point) { return !points.contains(point); });
+  return own;
+}
 
 LoopEdits edits_of(const SurfaceModel& model, const Patch& patch, const EdgeEdits& edits) {
   LoopEdits own;
@@ -34,7 +47,9 @@ std::vector<ContinuedEdge> continued_edges(const SurfaceModel& model, const Boun
                                            double density, const CancelToken& cancel) {
   const std::optional<Patch> initial = make_initial_patch(model, {loop}, {density}, cancel).patch;
   if (!initial || initial->free_count == 0 || cancel.cancelled()) return {};
-  const std::optional<SharpPatch> sharp = continue_sharp_edges(*initial, edits_of(model, *initial, edits), cancel);
+  const LoopEdits own = edits_of(model, *initial, edits);
+  if (own.drawn.empty() && loop_end(model, loop) != LoopEnd::runs_on) return {};
+  const std::optional<SharpPatch> sharp = continue_sharp_edges(*initial, own, cancel);
   std::vector<ContinuedEdge> edges;
   if (!sharp) return edges;
   const auto loop_size = static_cast<int>(initial->loops[0].size());

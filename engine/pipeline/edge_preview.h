@@ -16,10 +16,13 @@ struct ContinuedEdge {
   int begin = -1, end = -1;  ///< soup points on the boundary; −1: it ends within the hole
 };
 
-/// As solve_patch() would continue them, from the initial patch of the loop. @param edits  of the scan. @param density  as
-/// InitialPatchOptions. @returns nothing where none runs on, or when cancelled.
+/// As solve_patch() would continue them by default, from the initial patch of the loop. @param edits  of the scan. @param density
+/// as InitialPatchOptions. @returns nothing where none runs on, or when cancelled.
 std::vector<ContinuedEdge> continued_edges(const SurfaceModel& model, const BoundaryLoop& loop, const EdgeEdits& edits,
                                            double density, const CancelToken& cancel);
+
+/// Of the edits of a scan those at points of these loops.
+EdgeEdits edits_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const EdgeEdits& edits);
 
 /// Those of a patch with one loop, by places on it.
 LoopEdits edits_of(const SurfaceModel& model, const Patch& patch, const EdgeEdits& edits);

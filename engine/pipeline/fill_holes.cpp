@@ -6,6 +6,7 @@
 #include "filling/patch_size.h"
 #include "mesh/pieces.h"
 #include "pipeline/blend.h"
+#include "pipeline/edge_preview.h"
 #include "pipeline/filling_view.h"
 #include "pipeline/paste.h"
 #include "pipeline/tiny_hole.h"
@@ -161,8 +162,13 @@ GroupResult filled(const Fill& fill, const std::vector<BoundaryLoop>& loops) {
 
 GroupResult gone_on(const Fill& fill, const InitialPatch& moved) {
   return isolated(fill, moved.loops, [&] {
-    const Message why = fill.why_too_large(*moved.patch);
-    if (!why.empty()) return fill.left_open(moved.loops, why);
+    const int vertices = moved.patch->free_count;
+    if (const double needed = memory_mb_of(vertices); needed > fill.options.most_memory_mb)
+      return fill.left_open(moved.loops, say("a step of %1 new vertices would take %2 MB of memory, and %3 MB are "
+                                             "allowed: the patch stays as it is",
+                                             vertices, std::llround(std::ceil(needed)),
+                                             std::llround(std::floor(fill.options.most_memory_mb)))
+                                             .with_code("no_memory"));
     return solve_group(fill.scan, moved, fill.options, fill.observer, fill.cancel);
   });
 }
@@ -214,6 +220,10 @@ GroupResult joined(const Fill& fill, const Task& task) {
                           .with_code("covered_island")));
     return fill.done(std::move(alone));
   }
+  if (const auto& flow = fill.options.evolution;
+      flow && continues_edges(*flow) && !edits_at(fill.scan.model, place, flow->edge_edits).drawn.empty())
+    made->reason =
+        joined(std::move(made->reason), "; ", say("no sharp edge is drawn across a hole to which an island is joined"));
   GroupResult result;
   const auto patch = std::make_shared<const PatchResult>(std::move(*made));
   result.patches.push_back(patch);

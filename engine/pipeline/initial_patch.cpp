@@ -210,12 +210,13 @@ std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPat
                                      const EvolutionOptions& options) {
   const auto treatment = [&](LoopsAlike& alike) {
     const std::vector<int>& members = alike.members;
+    const std::vector<BoundaryLoop> loops = picked(group.loops, members);
+    if (continues_edges(options) && !edits_at(model, loops, options.edge_edits).empty()) return Treatment::apart;
     if (std::all_of(members.begin(), members.end(),
                     [&](int k) { return loop_end(model, group.loops[k]) != LoopEnd::runs_on; }))
       return Treatment::flat_cut;
-    const std::optional<Patch> patch =
-        joined_patch(model, picked(group.loops, members), picked(group.outcomes, members), 1);
-    if (!patch || !edits_of(model, *patch, options.edge_edits).empty()) return Treatment::apart;
+    const std::optional<Patch> patch = joined_patch(model, loops, picked(group.outcomes, members), 1);
+    if (!patch) return Treatment::apart;
     if (options.edges == SharpEdges::continued && ends_at_sharp_edges(*patch)) return Treatment::apart;
     alike.split = estimate_split(*patch);
     return alike.split->is_exact() ? Treatment::exact : Treatment::apart;

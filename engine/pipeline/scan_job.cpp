@@ -199,10 +199,10 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     plan.choices = choose_loops(plan.model, plan.loops, job.loops);
   }
   check_shapes(plan, job);
-  if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   leave_wide_cracks(plan, job);
   plan.to_trim = plan.chosen();
   if (job.prepare.trims()) trim(plan, job);
+  if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   name_cures(plan, job);
   // Only where `blend` finds the same loops in the file.
   if (job.numbering == ScanJob::Numbering::of_source && plan.done.changed_nothing() && plan.trimmed.empty())

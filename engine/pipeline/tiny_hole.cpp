@@ -4,6 +4,7 @@
 #include "filling/triangulate_loop.h"
 #include "mesh/narrow_patch.h"
 #include "mesh/vertex_fans.h"
+#include "pipeline/edge_preview.h"
 #include "pipeline/seconds_since.h"
 
 #include <Eigen/Cholesky>
@@ -31,9 +32,10 @@ constexpr double most_residual = 0.1;
 constexpr double most_bend = 35;
 constexpr std::size_t least_fitted = 9;  ///< for six coefficients
 
-bool asks_for_no_treatment(const GroupOptions& options) {
+bool asks_for_no_treatment(const SurfaceModel& model, const BoundaryLoop& loop, const GroupOptions& options) {
   return options.evolution && is_judged(*options.evolution) && options.mirror_planes.empty() &&
-         options.evolution->relief.kind == ReliefChoice::Kind::smooth && options.initial.density == 1;
+         options.evolution->relief.kind == ReliefChoice::Kind::smooth && options.initial.density == 1 &&
+         (options.evolution->edge_edits.empty() || edits_at(model, {loop}, options.evolution->edge_edits).empty());
 }
 
 /// A hole by itself, with one fan of faces at each of its vertices.
@@ -118,7 +120,8 @@ std::optional<Patch> patch_of_few_triangles(const SurfaceModel& model, const Bou
 std::optional<GroupResult> close_tiny_hole(const ScanIndex& scan, const BoundaryLoop& loop, const GroupOptions& options,
                                            int rings) {
   const auto start = std::chrono::steady_clock::now();
-  if (loop.edges() > most_edges || !asks_for_no_treatment(options) || !stands_alone(scan.model, loop)) return {};
+  if (loop.edges() > most_edges || !asks_for_no_treatment(scan.model, loop, options) || !stands_alone(scan.model, loop))
+    return {};
   constexpr int rings_of_test = 2;  // what is judged does not depend on how much the patch carries
   std::optional<Patch> patch = patch_of_few_triangles(scan.model, loop, rings_of_test);
   if (!patch) return {};

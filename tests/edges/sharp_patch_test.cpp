@@ -7,6 +7,7 @@
 #include "mesh/boundary_loops.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/fill_holes.h"
+#include "pipeline/flat_cut.h"
 #include "samples/analytic_surfaces.h"
 #include "support/sharp_surfaces.h"
 
@@ -206,6 +207,52 @@ TEST(SharpEdges, DrawnEdgesJoinTwoPlacesOfOneHole) {
   EXPECT_THROW(check(EdgeEdits{{{first, second}}, {}}, model, loops), InvalidArgument);
   EXPECT_THROW(check(EdgeEdits{{{first, first}}, {}}, model, loops), InvalidArgument);
   EXPECT_THROW(check(EdgeEdits{{}, {-1}}, model, loops), InvalidArgument);
+}
+
+TEST(SharpEdges, EditsActBesideTheDefaultFlowAlone) {
+  const TriangleSoup scan = without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2);
+  const int below = boundary_point(scan, {1, 1, 0.3}), above = boundary_point(scan, {1, 1, 0.7});
+  std::vector<FillOptions> others(4);
+  others[0].evolution->flow = FlowKind::wf;
+  others[1].evolution->continuity = SeamContinuity::tangent;
+  others[2].evolution->boundary = BoundaryTrust::exact;
+  others[3].evolution->edges = SharpEdges::rounded;
+  for (FillOptions& options : others) {
+    const Filled without = fill(scan, options);
+    options.evolution->edge_edits = {{{below, above}}, {below}};
+    const Filled with = fill(scan, options);
+    EXPECT_EQ(with.model.soup.points, without.model.soup.points);
+    EXPECT_EQ(with.patch().reason.english(), without.patch().reason.english());
+  }
+}
+
+TEST(SharpEdges, AnEdgeIsDrawnWhereAnotherIsStopped) {
+  const TriangleSoup scan = without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2);
+  const int below = boundary_point(scan, {1, 1, 0.3}), above = boundary_point(scan, {1, 1, 0.7});
+  FillOptions options;
+  options.evolution->edge_edits = {{{above, below}}, {below}};
+  const Filled filled = fill(scan, options);
+  EXPECT_EQ(filled.patch().made_by, "sharp edges");
+  EXPECT_LT(filled.farthest(off_cube), 1e-9);
+}
+
+TEST(SharpEdges, AreDrawnAcrossAHoleOfFewTriangles) {
+  const TriangleSoup scan = without_ball(test::make_cube(12), {1, 1, 0.5}, 0.05);
+  ASSERT_LE(find_boundary_loops(make_surface_model(scan)).front().edges(), 8);
+  const int below = boundary_point(scan, {1, 1, 0.4}), above = boundary_point(scan, {1, 1, 0.6});
+  FillOptions options;
+  options.evolution->edge_edits.drawn = {{below, above}};
+  const Filled filled = fill(scan, options);
+  EXPECT_NE(filled.patch().made_by, "few triangles");
+}
+
+/// The edges of the wall end at its cut; the cap is plane.
+TEST(SharpEdges, NoneRunOnIntoAFlatCut) {
+  const SurfaceModel model = make_surface_model(cut(test::make_cube(16), [](const Vec3& p) { return p.z() > 0.97; }));
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+  ASSERT_EQ(loops.size(), 1U);
+  ASSERT_NE(loop_end(model, loops[0]), LoopEnd::runs_on);
+  EXPECT_TRUE(continued_edges(model, loops[0], {}, 1, {}).empty());
 }
 
 TEST(SharpEdges, AreRoundWhereAPersonWantsThatSo) {

@@ -3,11 +3,13 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "analysis/surface_distance.h"
 #include "compare/compare_controller.h"
 #include "compare/flow_canvas.h"
 #include "compare/flow_view.h"
 #include "dialogs/picture_dialog.h"
 #include "io/write_mesh.h"
+#include "panels/banner.h"
 #include "panels/plot.h"
 #include "samples/analytic_surfaces.h"
 
@@ -97,6 +99,7 @@ class CompareTest : public QObject {
   void pictures_move_between_states_and_end_at_them();
   void the_winner_comes_into_the_document();
   void two_views_and_other_flows();
+  void distances_between_flows_and_from_a_mesh();
   void stop_comes_back_at_once();
   void says_why_it_cannot();
 
@@ -333,6 +336,49 @@ void CompareTest::two_views_and_other_flows() {
   QCOMPARE(flow("paneFlow1"), QStringLiteral("WF"));
   QVERIFY(run_all(*window));
   QCOMPARE(in<QTableWidget>(*window, "compareTable")->rowCount(), 3);
+}
+
+void CompareTest::distances_between_flows_and_from_a_mesh() {
+  const QString whole = folder_.filePath(QStringLiteral("whole.ply"));
+  write_mesh(whole.toStdString(), make_icosphere(4));
+  Shown shown({ball_file(folder_)});
+  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  QVERIFY(QTest::qWaitForWindowExposed(window));
+  QVERIFY(run_all(*window));
+  auto* shading = in<QComboBox>(*window, "compareShading");
+  auto* from = in<QComboBox>(*window, "compareFrom");
+  QVERIFY(!from->isVisible());
+  shading->setCurrentIndex(shading->findText(QStringLiteral("Distance")));
+  QVERIFY(from->isVisible());
+  const ComparisonController& flows = window->flow_comparison();
+  const auto off = [&](int run) { return summary_of(flows.flow_run(run)->distances); };
+  constexpr int mcf = 0, mmcvf = 3;
+  QVERIFY(wait_until([&] { return !flows.is_measuring() && !flows.flow_run(mmcvf)->distances.empty(); }));
+  QVERIFY(off(mmcvf).largest < 1e-12);
+  QVERIFY(off(mcf).rms > 0.02);  // the soap film lies below the cap
+  QVERIFY(off(mcf).mean < 0);
+  QVERIFY(in<QLabel>(*window, "paneFigures0")->text().contains(QStringLiteral("off")));
+  QVERIFY(count_colors(window->picture({QSize(800, 600)})) >= 64);
+  QVERIFY(in<Plot>(*window, "compareProfiles")->values(mcf).size() > 10);
+  double all = 0;
+  for (double share : in<Plot>(*window, "compareProfiles")->values(mmcvf)) all += share;
+  QVERIFY(std::abs(all - 100) < 1e-6);
+
+  // A chord of the icosphere is 0.0035 below the unit sphere.
+  window->measure_from_mesh(whole);
+  QVERIFY(wait_until([&] { return !flows.is_measuring(); }));
+  QVERIFY(off(mmcvf).largest < 0.005);
+  QVERIFY(off(mcf).mean < -0.02);
+
+  window->measure_from_mesh(folder_.filePath(QStringLiteral("none.ply")));
+  QVERIFY(wait_until([&] { return !flows.is_measuring(); }));
+  QVERIFY(wait_until([&] { return window->findChild<Banner*>()->isVisible(); }));
+
+  from->setCurrentIndex(from->findText(QStringLiteral("from the start")));
+  Q_EMIT from->activated(from->currentIndex());
+  QVERIFY(wait_until([&] { return !flows.is_measuring(); }));
+  QVERIFY(off(mmcvf).largest > 0.02);
+  QVERIFY(summary_of(flows.start()->distances).largest < 1e-12);
 }
 
 void CompareTest::stop_comes_back_at_once() {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Films of a flow: the file itself, the one that the window writes, the one that `loopmend render --film` writes.
-// What is in them, the GIF reader of Qt says.
+// What is in them, the GIF reader of Qt says. And the report of the holes.
 #include "driver.h"
 #include "test_main.h"
 
 #include "dialogs/film_dialog.h"
+#include "document/fill_report.h"
 #include "scene/film.h"
 #include "views/film_source.h"
+#include "views/report_writer.h"
 
 #include <QAction>
 #include <QDir>
@@ -15,11 +17,13 @@
 #include <QLabel>
 #include <QPointer>
 #include <QProcess>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <fstream>
 #include <numeric>
 
@@ -99,6 +103,8 @@ class FilmTest : public QObject {
   void a_film_given_up_leaves_no_file();
   void a_film_that_cannot_be_written_says_so();
   void the_command_line_writes_the_flow();
+  void a_report_shows_each_patch();
+  void a_report_given_up_leaves_no_file();
 
  private:
   QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
@@ -242,6 +248,68 @@ void FilmTest::the_command_line_writes_the_flow() {
   QCOMPARE(film({}), 2);
   QCOMPARE(film(words("--film") << path("a.png")), 4);
   for (const char* name : {"a.gif", "a.png"}) QVERIFY(!QFile::exists(path(name)));
+}
+
+void FilmTest::a_report_shows_each_patch() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  QVERIFY(!window.findChild<QAction*>(QStringLiteral("report"))->isEnabled());  // there is no patch yet
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  const Document& document = window.document();
+  const Viewpoint before = window.view().viewpoint();
+  QSignalSpy written(&window.report(), &ReportWriter::written);
+  GapMeter gaps;
+  window.report().write(path("holes.html"));
+  QVERIFY(wait_until([&] { return written.count() == 1; }));
+  gaps.report("report");
+  QVERIFY((window.view().viewpoint().eye - before.eye).norm() < 1e-9);
+  QFile file(path("holes.html"));
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const QString page = QString::fromUtf8(file.readAll());
+  const auto patched = std::count_if(document.loops().begin(), document.loops().end(), [&](const BoundaryLoop& loop) {
+    return document.patch_of(static_cast<int>(&loop - document.loops().data())) != nullptr;
+  });
+  QVERIFY(patched > 1);
+  QCOMPARE(page.count(QStringLiteral("<img src=\"data:image/png;base64,")), static_cast<int>(patched));
+  QCOMPARE(page.count(QStringLiteral("<h3>Hole ")), static_cast<int>(patched));
+  QVERIFY(page.contains(QStringLiteral("loopmend fill ")));
+  const FillReport report = fill_report(document);
+  for (const FillReport::Hole& hole : report.holes)
+    for (const QString& line : hole.lines) QVERIFY2(page.contains(line.toHtmlEscaped()), qPrintable(line));
+  // Pictures of two holes are two pictures, with the colours of the view.
+  const auto picture = [&](int k) {
+    const QString data = page.section(QStringLiteral("base64,"), k + 1).section(QLatin1Char('"'), 0, 0);
+    return QImage::fromData(QByteArray::fromBase64(data.toLatin1())).convertToFormat(QImage::Format_RGB32);
+  };
+  QCOMPARE(picture(0).size(), QSize(720, 480));
+  QVERIFY(count_colors(picture(0)) >= 64);
+  QVERIFY(share_changed(picture(0), picture(1)) > 0.1);
+
+  window.report().write(path("holes.pdf"));
+  QVERIFY(wait_until([&] { return written.count() == 2; }));
+  QFile pdf(path("holes.pdf"));
+  QVERIFY(pdf.open(QIODevice::ReadOnly));
+  const QByteArray bytes = pdf.readAll();
+  QVERIFY(bytes.startsWith("%PDF-"));
+  QVERIFY(bytes.count("/Subtype /Image") >= patched);
+}
+
+void FilmTest::a_report_given_up_leaves_no_file() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  QSignalSpy failed(&window.report(), &ReportWriter::failed);
+  window.report().write(path("none.html"));
+  auto* progress = window.findChild<QProgressDialog*>(QStringLiteral("reportProgress"));
+  QVERIFY(progress);
+  Q_EMIT progress->canceled();
+  QVERIFY(!window.report().busy());
+  window.report().write(QStringLiteral("/nonexistent-folder/none.html"));
+  QVERIFY(wait_until([&] { return failed.count() == 1; }));
+  QVERIFY(!window.report().busy());
+  QVERIFY(!QFile::exists(path("none.html")));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<FilmTest>(); }

@@ -9,12 +9,14 @@
 #include "document/labels.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "mesh/scan_attributes.h"
 #include "pipeline/scan_job.h"
 #include "samples/analytic_surfaces.h"
 #include "views/file_controller.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QElapsedTimer>
@@ -95,6 +97,7 @@ class MendingTest : public QObject {
   void verdict_follows_the_scene();
   void export_dialog_tells_the_verdict();
   void patches_are_exported_by_themselves();
+  void what_is_new_is_labelled();
   void defects_are_listed_and_mended_one_by_one();
   void preparing_does_what_the_command_line_does_with_auto();
   void fix_all_leaves_nothing_to_fix_data();
@@ -156,6 +159,43 @@ void MendingTest::patches_are_exported_by_themselves() {
   QCOMPARE(written.triangles.size(), static_cast<std::size_t>(patch.patch_triangles));
   QVERIFY(written.points.size() > static_cast<std::size_t>(patch.free_count));
   QVERIFY(window.isWindowModified());  // the scan with its patches is in no file yet
+}
+
+void MendingTest::what_is_new_is_labelled() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  window.selection().select({first_hole(window.document())});
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  const QString path = folder_.filePath(QStringLiteral("labelled.ply"));
+  const WhenAsked asked([&](QDialog& dialog) {
+    auto* labels = dialog.findChild<QCheckBox*>(QStringLiteral("exportNewFaces"));
+    auto* deviations = dialog.findChild<QCheckBox*>(QStringLiteral("exportDeviations"));
+    auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    name->setText(folder_.filePath(QStringLiteral("labelled.stl")));
+    QVERIFY(!labels->isEnabled() && !deviations->isEnabled());
+    name->setText(folder_.filePath(QStringLiteral("labelled.obj")));
+    QVERIFY(labels->isEnabled() && !deviations->isEnabled());
+    name->setText(path);
+    labels->click();
+    deviations->click();
+    QTest::keyClick(name, Qt::Key_Return);
+  });
+  window.findChild<FileController*>()->ask_export();
+  QVERIFY(wait_until([&] { return QFile::exists(path); }));
+  QVERIFY(wait_idle(window));
+  const PatchState& state = *window.document().patches().front().state;
+  const TriangleSoup written = read_mesh(path.toStdString()).soup;
+  const AttributeColumn* is_new = find_column(written.attributes->faces, "patch");
+  const AttributeColumn* deviation = find_column(written.attributes->points, "expected_deviation");
+  QVERIFY(is_new && deviation);
+  const std::size_t old_faces = written.triangles.size() - static_cast<std::size_t>(state.patch.patch_triangles);
+  for (std::size_t f = 0; f < written.triangles.size(); ++f) QCOMPARE(is_new->value(f), f < old_faces ? 0.0 : 1.0);
+  const std::size_t old_points = written.points.size() - state.deviation.vertices.size();
+  QVERIFY(!state.deviation.vertices.empty());
+  for (std::size_t v = 0; v < written.points.size(); ++v)
+    QCOMPARE(deviation->value(v),
+             v < old_points ? 0.0 : static_cast<double>(static_cast<float>(state.deviation.vertices[v - old_points])));
 }
 
 void MendingTest::defects_are_listed_and_mended_one_by_one() {

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/sample_scan.h"
+#include "support/sharp_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -116,6 +117,28 @@ TEST(ScanJob, PreparationWhereNeededMakesHolesOfWhatRunsAlongEdgesOfThreeFaces) 
   EXPECT_TRUE(plan.done.repaired);
   const std::vector<HoleResult> results = filled(plan, job);
   EXPECT_EQ(std::count_if(results.begin(), results.end(), [](const auto& r) { return is_filled(r.status); }), 2);
+}
+
+/// A repair removes faces and keeps the numbers of points.
+TEST(ScanJob, EditedEdgesNamePointsOfTheScanBeforeARepair) {
+  const TriangleSoup whole = test::make_cube(24);
+  TriangleSoup scan = cut(whole, [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.2; });
+  const auto nearest = [&](const Vec3& place) {
+    return static_cast<int>(
+        std::min_element(scan.points.begin(), scan.points.end(),
+                         [&](const Vec3& a, const Vec3& b) { return (a - place).norm() < (b - place).norm(); }) -
+        scan.points.begin());
+  };
+  scan.triangles.insert(scan.triangles.begin(), {scan.triangles[5], {0, 0, 1}});  // one face twice, one without area
+  ScanJob job;
+  job.prepare.repair = harmless_repairs;
+  ScanPlan plain = planned(scan, job);
+  EXPECT_EQ(filled(plain, job).front().outcome().made_by, "sharp edges");
+  job.fill.evolution->edge_edits.stopped = {nearest({1, 1, 0.29})};
+  ScanPlan stopped = planned(scan, job);
+  EXPECT_NE(filled(stopped, job).front().outcome().made_by, "sharp edges");
+  job.fill.evolution->edge_edits.stopped = {nearest({0, 0, 0})};
+  EXPECT_THROW(planned(scan, job), InvalidArgument);  // on no boundary
 }
 
 TEST(ScanJob, EachPatchStandsWhereItsResultSays) {

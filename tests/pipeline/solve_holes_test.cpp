@@ -93,7 +93,7 @@ TEST(SolveHoles, APatchThatAFlowHasMovedGoesOnFromThere) {
   options.most_memory_mb = 1e-3;
   groups = solve_holes(ScanIndex(model), {{}, {moved}}, options, observer, nullptr, {});
   EXPECT_TRUE(groups.at(0).patches.empty());
-  EXPECT_NE(groups[0].holes.at(0).message.english().find("are allowed"), std::string::npos);
+  EXPECT_NE(groups[0].holes.at(0).message.english().find("are allowed: the patch stays as it is"), std::string::npos);
 }
 
 TEST(SolveHoles, AnIslandThatHasAPatchIsNotJoined) {

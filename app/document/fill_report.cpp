@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/fill_report.h"
+
+#include "core/version.h"
+#include "document/command_line.h"
+#include "document/hole_table.h"
+#include "document/labels.h"
+#include "document/message_words.h"
+#include "document/targets.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+QString tr(const char* text, int n = -1) {
+  return QCoreApplication::translate("loopmend::FillReport", text, nullptr, n);
+}
+
+double area_of(const Points& points, const Triangle* first, std::size_t count) {
+  double area = 0;
+  for (std::size_t f = 0; f < count; ++f) {
+    const Vec3& a = points[static_cast<std::size_t>(first[f][0])];
+    area += 0.5 * (points[static_cast<std::size_t>(first[f][1])] - a)
+                      .cross(points[static_cast<std::size_t>(first[f][2])] - a)
+                      .norm();
+  }
+  return area;
+}
+
+/// Mesh units squared.
+double area_of(const Patch& patch) {
+  return patch.scale * patch.scale *
+         area_of(patch.positions, patch.triangles.data(), static_cast<std::size_t>(patch.patch_triangles));
+}
+
+QString color_of(const Document& document, int loop) {
+  const Verdict* verdict = document.verdict(loop);
+  if (document.state(loop) == HoleState::cutting || (verdict && verdict->grade == Grade::bad))
+    return QStringLiteral("#b3261e");
+  if (!verdict) return QStringLiteral("#5f6368");
+  return verdict->grade == Grade::look ? QStringLiteral("#9a6700") : QStringLiteral("#1f7a3d");
+}
+
+FillReport::Hole hole_of(const Document& document, int loop) {
+  const OpenPatch& patch = *document.patch_of(loop);
+  const PatchState& state = *patch.state;
+  const BoundaryLoop& boundary = document.loop(loop);
+  FillReport::Hole hole{loop,
+                        labels::sentence(labels::holes(document, {loop})),
+                        labels::verdict_or_state(document, loop),
+                        color_of(document, loop),
+                        {},
+                        {}};
+  const auto add = [&](const QString& line) {
+    if (!line.isEmpty()) hole.lines << line;
+  };
+  const Verdict* verdict = document.verdict(loop);
+  if (verdict) add(labels::sentence_of(*verdict));
+  if (document.state(loop) == HoleState::cutting) add(labels::state_help(HoleState::cutting));
+  add(tr("Boundary of %1 edges, %2 in diameter.")
+          .arg(labels::count(static_cast<std::size_t>(boundary.edges())), labels::length(document, boundary.diameter)));
+  const auto place =
+      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
+  if (place < state.seams.size() && place < state.seams_before.size())
+    add(labels::seam_sentence(state.seams_before[place], state.seams[place], state.status,
+                              verdict ? verdict->grade : Grade::good));
+  add(labels::deviation_sentence(document.deviation(loop)));
+  const QString size = tr("New: %1 vertices, %2 triangles.")
+                           .arg(labels::count(static_cast<std::size_t>(state.patch.free_count)),
+                                labels::count(static_cast<std::size_t>(state.patch.patch_triangles)));
+  add(patch.loops.size() > 1 ? tr("%1 This patch closes %2 as one.").arg(size, labels::holes(document, loops_of(patch)))
+                             : size);
+  if (const QString message = labels::in_words(document.message(loop)); !message.isEmpty())
+    add(labels::sentence(message) + (message.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral(".")));
+  return hole;
+}
+
+/// Loops with a patch, in the order in which a person should look at them.
+std::vector<int> loops_in_order(const Document& document) {
+  const HoleTable table(document);
+  std::vector<int> loops;
+  for (int loop = 0; loop < document.loop_count(); ++loop)
+    if (document.present(loop) && document.patch_of(loop)) loops.push_back(loop);
+  std::stable_sort(loops.begin(), loops.end(), [&](int a, int b) {
+    const auto key = [&](int loop) { return table.data(table.index(loop, HoleTable::state), HoleTable::sort_role); };
+    return key(a).toInt() < key(b).toInt();
+  });
+  return loops;
+}
+
+QStringList facts_of(const Document& document, const FillReport& report) {
+  QStringList facts;
+  double area = 0, added = 0;
+  std::size_t triangles = 0, new_triangles = 0;
+  for (int scan : document.scans()) {
+    const TriangleSoup& soup = document.scan(scan)->model->soup;
+    area += area_of(soup.points, soup.triangles.data(), soup.triangles.size());
+    triangles += soup.triangles.size();
+  }
+  for (const OpenPatch& patch : document.patches()) {
+    added += area_of(patch.state->patch);
+    new_triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
+  }
+  facts << tr("The scan has %1 triangles. The patches add %2 triangles; they are %3 % of the whole area.")
+               .arg(labels::count(triangles), labels::count(new_triangles),
+                    labels::number(area + added > 0 ? 100 * added / (area + added) : 0));
+  const auto count = [&](Grade grade) {
+    return std::count_if(report.holes.begin(), report.holes.end(), [&](const FillReport::Hole& hole) {
+      const Verdict* verdict = document.verdict(hole.loop);
+      return verdict && verdict->grade == grade;
+    });
+  };
+  facts << tr("%1 holes have a patch: %2 good, %3 to look at, %4 bad. %5 loops are open.")
+               .arg(labels::count(report.holes.size()))
+               .arg(count(Grade::good))
+               .arg(count(Grade::look))
+               .arg(count(Grade::bad))
+               .arg(report.open.size());
+  facts << tr("The vertices of the scan are where they were; only what is shown here is new.");
+  const QString unit = labels::unit_name(document.unit());
+  facts << (document.unit().empty() ? tr("The unit of lengths is not known.") : tr("Lengths are in %1.").arg(unit));
+  facts << tr("Loopmend %1, %2.")
+               .arg(QLatin1String(version()), QLocale().toString(QDateTime::currentDateTime(), QLocale::LongFormat));
+  return facts;
+}
+
+QString paragraph(const QString& text) {
+  return QStringLiteral("<p>%1</p>\n").arg(text.toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")));
+}
+
+QString picture_of(const FillReport::Hole& hole, std::size_t place, PictureLinks links) {
+  if (hole.picture.isNull()) return {};
+  QString source = QStringLiteral("picture:%1").arg(place);
+  if (links == PictureLinks::within) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    hole.picture.save(&buffer, "PNG");
+    source = QStringLiteral("data:image/png;base64,") + QString::fromLatin1(bytes.toBase64());
+  }
+  return QStringLiteral("<img src=\"%1\" width=\"360\" alt=\"%2\">").arg(source, hole.name.toHtmlEscaped());
+}
+
+}  // namespace
+
+FillReport fill_report(const Document& document) {
+  FillReport report;
+  QStringList names;
+  for (int scan : document.scans()) names << document.scan(scan)->name;
+  report.title = tr("Holes of %1").arg(names.join(QStringLiteral(", ")));
+  for (int loop : loops_in_order(document)) report.holes.push_back(hole_of(document, loop));
+  for (int loop = 0; loop < document.loop_count(); ++loop) {
+    if (!document.present(loop) || document.patch_of(loop)) continue;
+    const QString why = labels::in_words(document.message(loop));
+    const QString line =
+        tr("%1: %2, %3 in diameter")
+            .arg(labels::sentence(labels::holes(document, {loop})), labels::kind(document.loop(loop).kind),
+                 labels::length(document, document.loop(loop).diameter));
+    report.open << (why.isEmpty() ? line : line + QStringLiteral(": ") + why) + QLatin1Char('.');
+  }
+  report.facts = facts_of(document, report);
+  std::set<int> ids;
+  for (const OpenPatch& patch : document.patches()) ids.insert(patch.id);
+  const CommandLine command = command_line(document, ids);
+  report.command = command.text;
+  report.remarks = command.remarks;
+  return report;
+}
+
+QString html_of(const FillReport& report, PictureLinks links) {
+  const QString title = report.title.toHtmlEscaped();
+  QString html = QStringLiteral(
+                     "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\">"
+                     "<meta name=\"viewport\" content=\"width=device-width\"><title>%1</title>\n"
+                     "<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; } "
+                     "img { max-width: 100%; } td { vertical-align: top; padding: 8px; } "
+                     "pre { white-space: pre-wrap; }</style></head>\n<body>\n<h1>%1</h1>\n")
+                     .arg(title);
+  for (const QString& fact : report.facts) html += paragraph(fact);
+  html += QStringLiteral("<table>\n");
+  for (std::size_t k = 0; k < report.holes.size(); ++k) {
+    const FillReport::Hole& hole = report.holes[k];
+    html += QStringLiteral("<tr><td>%1</td><td><h3>%2: <span style=\"color:%3\">%4</span></h3>\n")
+                .arg(picture_of(hole, k, links), hole.name.toHtmlEscaped(), hole.color, hole.verdict.toHtmlEscaped());
+    for (const QString& line : hole.lines) html += paragraph(line);
+    html += QStringLiteral("</td></tr>\n");
+  }
+  html += QStringLiteral("</table>\n");
+  if (!report.open.isEmpty()) html += QStringLiteral("<h2>%1</h2>\n").arg(tr("Open loops"));
+  for (const QString& line : report.open) html += paragraph(line);
+  if (!report.command.isEmpty())
+    html += QStringLiteral("<h2>%1</h2>\n<pre>%2</pre>\n")
+                .arg(tr("The same on the command line"), report.command.toHtmlEscaped());
+  for (const QString& remark : report.remarks) html += paragraph(remark);
+  return html + QStringLiteral("</body></html>\n");
+}
+
+}  // namespace loopmend

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A report of the holes as a file, off the window's thread.
+#pragma once
+
+#include "document/fill_report.h"
+
+#include <filesystem>
+
+namespace loopmend {
+
+/// HTML with its pictures within, or PDF where the name ends in .pdf. @throws WriteError; then no file is left.
+void write_report(const std::filesystem::path& path, const FillReport& report);
+
+}  // namespace loopmend

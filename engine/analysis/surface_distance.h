@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far points lie from a surface, with a sign.
+#pragma once
+
+#include "core/cancel.h"
+#include "core/types.h"
+
+#include <vector>
+
+namespace loopmend {
+
+/// Distance of each point from the closest place of the surface, positive on the side where the normal of the triangle there looks.
+/// Where that place is on an edge, either of its triangles may decide the sign.
+/// @returns NaN for every point where no triangle has an area; nothing of use when cancelled.
+std::vector<double> signed_distances(const Points& points, const Points& surface, const Triangles& triangles,
+                                     const CancelToken& cancel = {});
+
+/// Of signed distances, without those that are NaN; all 0 where there is none.
+struct DistanceSummary {
+  double mean = 0, rms = 0;
+  double nearly_all = 0;  ///< 95 % are no larger, without their sign
+  double largest = 0;     ///< without its sign
+};
+DistanceSummary summary_of(const std::vector<double>& distances);
+
+}  // namespace loopmend
