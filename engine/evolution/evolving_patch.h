@@ -48,7 +48,7 @@ struct EvolvingPatch {
   Message message;
   std::vector<StepRecord> history;
   double initial_energy = 0;  ///< of `start`, by the state's stencil
-  Eigen::AlignedBox3d room;   ///< no vertex may leave it (docs/dev/numerics.md, "Bubbles")
+  Eigen::AlignedBox3d room;   ///< no vertex may leave it (docs/math/energy_to_matrix.md, "Bubbles")
   int start_folds = 0;
   int allowed_folds = 0;  ///< on the way; whoever takes the result looks at what is left
 };

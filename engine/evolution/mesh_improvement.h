@@ -7,7 +7,7 @@
 namespace loopmend {
 
 /// Slides every free vertex half the way to the centroid of its one-ring, within its fitted quadratic, so that the
-/// surface keeps its shape to second order (docs/dev/numerics.md, "Gauss-Newton step"). At most a quarter of the shortest
+/// surface keeps its shape to second order (docs/math/energy_to_matrix.md, "Gauss-Newton step"). At most a quarter of the shortest
 /// edge.
 Patch tangentially_relaxed(const EvolutionState& state);
 

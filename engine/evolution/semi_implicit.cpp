@@ -17,7 +17,7 @@ namespace {
 
 constexpr double steady_sigma = 1e4;     ///< a step that jumps to the steady state of the linear part
 constexpr double fair_angle = 25;        ///< degrees: triangles no worse than this are left as they are
-constexpr double flow_tolerance = 1.05;  ///< docs/dev/numerics.md, "Semi-implicit step"
+constexpr double flow_tolerance = 1.05;  ///< docs/math/energy_to_matrix.md, "Semi-implicit step"
 /// Of the linear system. A step is off by a tenth of itself, being of first order in time.
 constexpr double linear_tolerance = 1e-4;
 constexpr double smallest_step = 1e-6;   ///< relative to the step that was asked for: below, the flow has stalled
@@ -44,7 +44,7 @@ double SemiImplicit::decay_rate(const EvolvingPatch& patch, const CancelToken& c
   return decay_rate_ = rate > 0 ? rate : 1;
 }
 
-/// M(I/τ − J) s = M V, which is nearly symmetric.
+/// M(I/τ − V') s = M V, which is nearly symmetric.
 SolveReport SemiImplicit::solve(const EvolvingPatch& patch, const FlowSystem& system, Eigen::VectorXd& s,
                                 const CancelToken& cancel) {
   const Patch& surface = patch.state.patch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's semi-implicit scheme (§4): (I/τ − J) s = V with τ = σ/λ₁, one step after another.
+// The paper's semi-implicit scheme (§4): (I/τ − V') s = V with τ = σ/λ₁, one step after another.
 #pragma once
 
 #include "evolution/damped_step.h"

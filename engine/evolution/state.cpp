@@ -27,8 +27,8 @@ double measure_of(const Objective& objective, const Patch& patch, const Operator
   switch (objective.flow) {
     case FlowKind::mcf: return patch_area(patch);
     case FlowKind::sdf: return squared_laplacian_of_H(patch, ops);
-    case FlowKind::wf: return energy_value(patch, {0, 1}, ops.H);
-    case FlowKind::mmcvf: return energy_value(patch, {1, objective.bending}, ops.H);
+    case FlowKind::wf: return energy_value(patch, ops, {0, 1});
+    case FlowKind::mmcvf: return energy_value(patch, ops, {1, objective.bending});
   }
   return 0;
 }
@@ -91,7 +91,7 @@ double shown_energy(FlowKind flow, const EvolutionState& state) {
     case FlowKind::mcf:
     case FlowKind::sdf: return patch_area(state.patch) * scale * scale;
     case FlowKind::wf: return state.measure;
-    case FlowKind::mmcvf: return energy_value(state.patch, {1, 0}, state.ops.H) / (scale * scale);
+    case FlowKind::mmcvf: return energy_value(state.patch, state.ops, {1, 0}) / (scale * scale);
   }
   return 0;
 }

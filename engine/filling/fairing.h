@@ -32,7 +32,7 @@ Points linear_fairing(const Patch& patch, const Topology& topology, double bendi
                       const CancelToken& cancel = {});
 
 /// The third order with all weights one: the triangles' shapes do not count, so that pinched necks and slivers of the
-/// present shape leave no trace (docs/dev/numerics.md, "Starts"). @returns as linear_fairing.
+/// present shape leave no trace (docs/math/energy_to_matrix.md, "Starts"). @returns as linear_fairing.
 Points graph_fairing(const Patch& patch, const CancelToken& cancel = {});
 
 }  // namespace loopmend

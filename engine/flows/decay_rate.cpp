@@ -55,7 +55,7 @@ double rough_decay_rate(FlowKind flow, const Patch& patch) {
     for (std::size_t k = 0; k < loop.size(); ++k)
       boundary += (patch.positions[loop[(k + 1) % loop.size()]] - patch.positions[loop[k]]).norm();
   const double area = patch_area(patch), R = std::min(std::sqrt(area / std::numbers::pi), 2 * area / boundary);
-  switch (flow) {  // docs/dev/numerics.md, "Time step": measured on discs
+  switch (flow) {  // docs/math/energy_to_matrix.md, "Time step": measured on discs
     case FlowKind::mcf: return 0.5 * std::pow(2.41 / R, 2);
     case FlowKind::sdf:
     case FlowKind::wf: return 0.5 * std::pow(3.2 / R, 4);

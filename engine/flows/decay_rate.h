@@ -14,7 +14,7 @@ namespace loopmend {
 SparseMatrix clamped_polyharmonic(FlowKind flow, const Patch& patch);
 
 /// λ₁ > 0, smallest eigenvalue of the flow's linear part on the patch with clamped boundary
-/// (docs/dev/numerics.md, "Time step"): of ½M⁻¹K with K as above. Patch frame, 1/time. A step of τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found,
+/// (docs/math/energy_to_matrix.md, "Time step"): of ½M⁻¹K with K as above. Patch frame, 1/time. A step of τ = σ/λ₁ shrinks the slowest mode by 1/(1+σ). 0 when the eigenvalue could not be found,
 /// or when cancelled.
 double slowest_decay_rate(FlowKind flow, const Patch& patch, const CancelToken& cancel = {});
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int vertices_at_a_time = 1024;  ///< by a thread: of so little work for each
 
-/// What the terms add up to: V and the parts of J, see FlowSystem.
+/// What the terms add up to: V and the parts of V', see FlowSystem.
 struct TermSum {
   Eigen::VectorXd velocity;  ///< n
   std::vector<double> A, D;  ///< an entry for each of OperatorSet's in the first n rows
@@ -43,7 +43,7 @@ void willmore_cubic(const FlowState& s, int i, TermSum& sum) {
   add_on_centre(s, i, -factor, sum);
 }
 
-/// Δ²H ≈ Δ(ΔH^{k+1}), whose part of J is the same in all rows
+/// Δ²H ≈ Δ(ΔH^{k+1}), whose part of V' is the same in all rows
 void bilaplacian_of_H(const FlowState& s, int i, TermSum& sum) { sum.velocity[i] += s.ops.apply_laplacian(i, s.lap_H); }
 
 /// 2(2H² − K)ΔH ≈ (2H^{k+1}H − K^{k+1})ΔH + (2H² − K)ΔH^{k+1}, with K linear in r by its own weights

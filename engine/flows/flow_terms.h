@@ -20,21 +20,21 @@ struct FlowState {
   FlowState(const OperatorSet& operators, int free_count);
 };
 
-/// The semi-implicit step (I − τJ) s = τV for scalar displacements s along the normals. J is kept in its factors: each row
+/// The semi-implicit step (I − τV') s = τV for scalar displacements s along the normals. V' is kept in its factors: each row
 /// of it reaches over six rings, its factors over two each. Refers to the operators it was made from.
 class FlowSystem {
  public:
   FlowSystem(FlowKind flow, const FlowState& state);
 
   const Eigen::VectorXd& velocity() const { return velocity_; }  ///< n: V at the present state, length/time
-  /// J s without the matrix. @param s  n.
+  /// V' s without the matrix. @param s  n.
   Eigen::VectorXd times_jacobian(const Eigen::VectorXd& s) const;
-  SparseMatrix jacobian() const;  ///< n by n: J
+  SparseMatrix jacobian() const;  ///< n by n: V'
 
  private:
   const OperatorSet& ops_;
   Eigen::VectorXd velocity_;
-  // J = (A + b ΔΔ) B + D; A, B and D by their values in the places that OperatorSet has entries for.
+  // V' = (A + b ΔΔ) B + D; A, B and D by their values in the places that OperatorSet has entries for.
   std::vector<double> A_, D_;  ///< of the rows of the free vertices: on H at the new level, on s
   std::vector<double> B_;  ///< of all rows: H at the new level = B s + H, frozen operators: ½ w^Δ_ij ⟨n_i, n_j⟩
   double b_ = 0;

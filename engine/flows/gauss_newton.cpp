@@ -19,7 +19,7 @@ Eigen::VectorXd GaussNewtonSystem::curvature_times(const Eigen::VectorXd& x) con
 GaussNewtonSystem assemble_gauss_newton(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights) {
   CurvatureEnergy energy;
   GaussNewtonSystem system;
-  parallel_invoke([&] { energy = curvature_energy(patch, weights); },
+  parallel_invoke([&] { energy = curvature_energy(patch, ops, weights); },
                   [&] { system.B = curvature_jacobian(ops, patch.free_count); });
   const Eigen::VectorXd QH = energy.Q * ops.H;
   system.energy = ops.H.dot(QH);

@@ -20,7 +20,7 @@ SparseMatrix symmetric_part(FlowKind flow, const Patch& patch, const OperatorSet
   const EnergyWeights weights = flow == FlowKind::mmcvf ? EnergyWeights{1, 0} : EnergyWeights{0, 1};
   SparseMatrix Q;
   RowSparseMatrix B;
-  parallel_invoke([&] { Q = 2 * curvature_energy(patch, weights).Q; }, [&] { B = curvature_jacobian(ops, n); });
+  parallel_invoke([&] { Q = 2 * curvature_energy(patch, ops, weights).Q; }, [&] { B = curvature_jacobian(ops, n); });
   return lower_congruence(B, Q);
 }
 

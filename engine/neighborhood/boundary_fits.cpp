@@ -14,7 +14,7 @@ namespace loopmend {
 namespace {
 
 constexpr int narrowest = 3, widest = 5;
-constexpr double white_growth = 1.5;  ///< docs/dev/numerics.md, "Rough boundaries"
+constexpr double white_growth = 1.5;  ///< docs/math/energy_to_matrix.md, "Rough boundaries"
 
 /// At the given fixed vertices, all of one width.
 std::vector<BoundaryFit> fits_at(const std::vector<int>& vertices, const Patch& patch, const FixedSurface& surface) {

@@ -19,29 +19,41 @@ bool is_active(const Patch& patch, const Triangle& t) {
   return std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) <= active_rings;
 }
 
+bool is_known(const OperatorSet& ops, const Triangle& t) {
+  return ops.valid[t[0]] && ops.valid[t[1]] && ops.valid[t[2]];
+}
+
+bool has_bending(const Patch& patch, const OperatorSet& ops, int vertex) {
+  return patch.ring[vertex] <= active_rings && ops.valid[vertex];
+}
+
 }  // namespace
 
-CurvatureEnergy curvature_energy(const Patch& patch, const EnergyWeights& weights) {
+CurvatureEnergy curvature_energy(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights) {
   CurvatureEnergy energy;
+  std::vector<int> known;
   for (std::size_t f = 0; f < patch.triangles.size(); ++f) {
-    if (is_active(patch, patch.triangles[f])) energy.faces.push_back(static_cast<int>(f));
+    if (!is_active(patch, patch.triangles[f])) continue;
+    energy.faces.push_back(static_cast<int>(f));
+    if (is_known(ops, patch.triangles[f])) known.push_back(static_cast<int>(f));
   }
   energy.mass = barycentric_areas(patch.positions, patch.triangles);
-  energy.Q = weights.variation * cotan_stiffness(patch.positions, patch.triangles, energy.faces);
+  energy.Q = weights.variation * cotan_stiffness(patch.positions, patch.triangles, known);
   if (weights.bending > 0) {
     Eigen::VectorXd active = Eigen::VectorXd::Zero(patch.vertex_count());
     for (int i = 0; i < patch.vertex_count(); ++i)
-      if (patch.ring[i] <= active_rings) active[i] = weights.bending * energy.mass[i];
+      if (has_bending(patch, ops, i)) active[i] = weights.bending * energy.mass[i];
     const SparseMatrix diagonal(active.asDiagonal());
     energy.Q = energy.Q + diagonal;
   }
   return energy;
 }
 
-double energy_value(const Patch& patch, const EnergyWeights& weights, const Eigen::VectorXd& H) {
+double energy_value(const Patch& patch, const OperatorSet& ops, const EnergyWeights& weights) {
+  const Eigen::VectorXd& H = ops.H;
   double variation = 0, bending = 0;
   for (const Triangle& t : patch.triangles) {
-    if (!is_active(patch, t)) continue;
+    if (!is_active(patch, t) || !is_known(ops, t)) continue;
     const auto weight = half_cotangents(patch.positions, t);
     for (int k = 0; k < 3; ++k) {
       const double difference = H[t[(k + 1) % 3]] - H[t[(k + 2) % 3]];
@@ -51,7 +63,7 @@ double energy_value(const Patch& patch, const EnergyWeights& weights, const Eige
   if (weights.bending > 0) {
     const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
     for (int i = 0; i < patch.vertex_count(); ++i)
-      if (patch.ring[i] <= active_rings) bending += mass[i] * H[i] * H[i];
+      if (has_bending(patch, ops, i)) bending += mass[i] * H[i] * H[i];
   }
   return weights.variation * variation + weights.bending * bending;
 }
@@ -95,8 +107,9 @@ Eigen::VectorXd metric_gradient(const Patch& patch, const OperatorSet& ops, cons
       const Vec3 edge = patch.positions[t[(k + 2) % 3]] - patch.positions[t[(k + 1) % 3]];
       hat[k] = cross.cross(edge) / (twice_area * twice_area);
       G += ops.H[t[k]] * hat[k];
-      if (patch.ring[t[k]] <= active_rings) bending += weights.bending * ops.H[t[k]] * ops.H[t[k]] / 3;
+      if (has_bending(patch, ops, t[k])) bending += weights.bending * ops.H[t[k]] * ops.H[t[k]] / 3;
     }
+    if (!is_known(ops, t)) G.setZero();
     // A motion with linear velocity v changes area by A div v, and A‖G‖² by A(‖G‖² div v − 2⟨G, ∇v G⟩).
     for (int k = 0; k < 3; ++k) {
       if (t[k] >= patch.free_count) continue;

@@ -55,7 +55,7 @@ OperatorSet compute_curvatures(const Points& points, const Triangles& triangles,
                                Stencil stencil, const std::vector<char>& wanted, const KnownFits& known = {});
 
 /// Clamp for cotangent weights where a matrix must stay well-conditioned on slivers
-/// (docs/dev/numerics.md, "Linear solvers").
+/// (docs/math/energy_to_matrix.md, "Linear solvers").
 struct CotanClamp {
   double low, high;  ///< of the half sum of the two cotangents at an edge
 };

@@ -44,8 +44,8 @@ PatchEnergies patch_energies(const Patch& patch) {
   const OperatorSet ops = compute_operators(patch.positions, patch.triangles, topology, Stencil::two_ring, wanted);
   PatchEnergies energies;
   energies.area = patch_area(patch) * patch.scale * patch.scale;
-  energies.bending = energy_value(patch, {0, 1}, ops.H);
-  energies.variation = energy_value(patch, {1, 0}, ops.H) / (patch.scale * patch.scale);
+  energies.bending = energy_value(patch, ops, {0, 1});
+  energies.variation = energy_value(patch, ops, {1, 0}) / (patch.scale * patch.scale);
   return energies;
 }
 

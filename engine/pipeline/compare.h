@@ -38,7 +38,7 @@ struct FlowComparison {
 };
 
 /// The options for one flow. A comparison is of the flows themselves: BoundaryTrust::automatic becomes exact. MCF takes small steps: between tubes it has no steady state, and large steps fail where the
-/// surface is strongly curved (docs/dev/numerics.md, "Starts").
+/// surface is strongly curved (docs/math/energy_to_matrix.md, "Starts").
 EvolutionOptions options_for(FlowKind flow, const EvolutionOptions& base);
 
 /// One flow of a comparison, from `start` to its end. @param base  its flow does not count.

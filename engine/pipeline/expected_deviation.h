@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far a patch is likely from what was there, estimated from its distance to a fairing of second order
-// (docs/math/expected_deviation.md).
+// (docs/math/filling.md, "Validity checks").
 #pragma once
 
 #include "core/cancel.h"

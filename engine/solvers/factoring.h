@@ -19,7 +19,7 @@ void omp_set_max_active_levels(int levels);
 
 namespace loopmend {
 
-/// OpenBLAS threads spin-wait and lose tenfold on a busy machine (docs/dev/numerics.md, "Linear solvers"); loops run in
+/// OpenBLAS threads spin-wait and lose tenfold on a busy machine (docs/math/energy_to_matrix.md, "Linear solvers"); loops run in
 /// parallel instead.
 inline void use_one_blas_thread() {
 #ifdef LOOPMEND_OPENBLAS

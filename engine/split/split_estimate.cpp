@@ -104,7 +104,7 @@ double mean_boundary_edge(const Patch& patch) {
 }
 
 /// −2 log of the restricted likelihood as a function of the two wavelengths, its scale taken out. To first order about the
-/// neighborhood as it is: H = H₀ + Bφ for the smooth surface at displacement φ, and φ + r + e = 0.
+/// neighborhood as it is: H = H₀ + Bφ for the smooth surface at displacement φ, and φ + z + e = 0.
 class Likelihood {
  public:
   Likelihood(const SplitSurface& surface, const Points& points, double edge, double radius)

@@ -16,8 +16,8 @@ enum class NeighborhoodKind {
 
 const char* to_string(NeighborhoodKind neighborhood);
 
-/// The split minimises λ ∫4‖∇H‖² + ∫((Δ − κ²) r)² + ∫e²/s² over smooth surface + relief r + noise e = scan. Its parameters by
-/// two wavelengths, where the shares are as strong as each other: λ = w², s² = v⁶/w² + v⁴.
+/// The split minimises λ ∫4‖∇H‖² + ∫((Δ − κ²) z)² + ∫e²/γ over smooth surface + relief z + noise e = scan. Its parameters by
+/// two wavelengths, where the shares are as strong as each other: λ = w², γ = v⁶/w² + v⁴.
 struct SplitEstimate {
   /// Limits of is_exact(). Holes: measured on surfaces that are known, relief up to 4e-6 and noise up to 3e-5, and on 293 holes
   /// of 15 models, where from 1e-5 on the split form comes a fifth closer. Bridges and regions, whose neighborhood is mostly
@@ -32,17 +32,17 @@ struct SplitEstimate {
   double edge = 0;    ///< mean boundary edge, patch frame
   double radius = 1;  ///< of the hole, patch frame: κ = 1/radius in SplitProblem
   double relief_height = 0,
-         noise_height = 0;  ///< rms of r, as far as it is finer than ten edges, and of e, patch frame
+         noise_height = 0;  ///< rms of the part of z that is finer than ten edges, and of e, patch frame
 
   double lambda() const { return relief * relief * edge * edge; }
-  double noise_variance() const;  ///< s²; 0 without noise
+  double noise_variance() const;  ///< γ; 0 without noise
   /// The neighborhood is smooth as far as that matters: the flow itself may take them literally.
   /// @param relief  height up to which relief does not matter, in boundary edges; never less than `resolution`
   bool is_exact(double relief = exact_hole) const;
   NeighborhoodKind kind() const;
 };
 
-/// By restricted maximum likelihood (Patterson, Thompson 1971): docs/math/irregular_boundaries.md. Of large neighborhood, parts.
+/// By restricted maximum likelihood (Patterson, Thompson 1971): docs/math/irregular_boundaries.md, "The two parameters". Of large neighborhood, parts.
 /// @param patch  its free vertices and own triangles are not looked at. @returns exact where there is too little to tell, and
 /// something of no use when cancelled; of infinite relief where the split cannot be made.
 SplitEstimate estimate_split(const Patch& patch, const CancelToken& cancel = {});

@@ -91,10 +91,10 @@ bool SplitProblem::factorize(const CancelToken& cancel) {
   const State& s = state_;
   const SparseMatrix Q = 4 * lambda_ * s.geometry.hessian();
   SparseMatrix A;
-  if (s2_ > 0) {  // unknown: φ and r
+  if (s2_ > 0) {  // unknown: φ and z
     const SparseMatrix W(precision(s).asDiagonal());
     A = lower_blocks(Q + W, W, s.S + W);
-  } else {  // φ everywhere, and φ + r on the patch
+  } else {  // φ everywhere, and φ + z on the patch
     const SparseMatrix whole = s.S.selfadjointView<Eigen::Lower>();
     A = lower_blocks(Q + s.S, -whole.topRows(free_), s.S.topLeftCorner(free_, free_));
   }

@@ -14,8 +14,8 @@
 
 namespace loopmend {
 
-/// y + r n + e n = x, along n, at the vertices of the neighborhood, which never move; on the patch there is no x, so that y and r are free.
-/// Minimises J over y, displaced along its normals; r and e are the best for each y.
+/// y + z n + e n = x, along n, at the vertices of the neighborhood, which never move; on the patch there is no x, so that y and z are free.
+/// Minimises J over y, displaced along its normals; z and e are the best for each y.
 class SplitProblem {
  public:
   /// From the patch as it is. @param patch  with neighborhood.
@@ -34,7 +34,7 @@ class SplitProblem {
   /// False where J cannot be evaluated at the start.
   bool is_valid() const { return is_valid_; }
   const SplitEnergy& energy() const { return state_.energy; }
-  /// Of the patch's free vertices: y + r n, with e carried in over about one edge. Empty if that cannot be solved, or when cancelled.
+  /// Of the patch's free vertices: y + z n, with e carried in over about one edge. Empty if that cannot be solved, or when cancelled.
   Points patch_positions(const CancelToken& cancel);
 
  private:

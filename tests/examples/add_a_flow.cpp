@@ -15,7 +15,7 @@
 namespace loopmend {
 namespace {
 
-/// V = Δ²H at the free vertices. ΔH is needed on the fixed rings as well, as far as the operators of a free vertex reach.
+/// V = Δ²H at the free vertices. ΔH is needed on the fixed rings as well, within the reach of the operators of a free vertex.
 Eigen::VectorXd velocity_of(const OperatorSet& ops, int free_count) {
   Eigen::VectorXd laplacian_of_H(ops.H.size());
   for (int i = 0; i < laplacian_of_H.size(); ++i) laplacian_of_H[i] = ops.apply_laplacian(i, ops.H);
@@ -35,7 +35,7 @@ SparseMatrix matrix_of(const OperatorSet& ops, const Value& value) {
   return matrix;
 }
 
-/// J = ∂V/∂s, n by n, for displacements s along the normals and frozen operators: J = L L B with B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩.
+/// V' = ∂V/∂s, n by n, for displacements s along the normals and frozen operators: V' = L L B with B_ij = ½ w^Δ_ij ⟨n_i, n_j⟩.
 SparseMatrix jacobian_of(const OperatorSet& ops, int free_count) {
   const SparseMatrix L = matrix_of(ops, [&](int, int e) { return ops.laplacian[e]; });
   const SparseMatrix B = matrix_of(
@@ -44,7 +44,7 @@ SparseMatrix jacobian_of(const OperatorSet& ops, int free_count) {
   return SparseMatrix(on_H * B).topLeftCorner(free_count, free_count);
 }
 
-/// The semi-implicit step (I − τJ) s = τV. @returns s; empty if the system could not be solved.
+/// The semi-implicit step (I − τV') s = τV. @returns s; empty if the system could not be solved.
 Eigen::VectorXd step_of(const EvolutionState& state, double tau) {
   const int n = state.patch.free_count;
   GeneralSystem system;

@@ -5,11 +5,13 @@
 #include "flows/decay_rate.h"
 #include "mesh/region.h"
 #include "operators/curvature_energy.h"
+#include "operators/topology.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -77,6 +79,65 @@ TEST(FlowTerms, McfDescendsArea) { expect_descent(FlowKind::mcf, 2, 0.002); }
 TEST(FlowTerms, WfDescendsBendingEnergy) { expect_descent(FlowKind::wf, 1, 0.03); }
 TEST(FlowTerms, MmcvfDescendsTheVariationOfH) { expect_descent(FlowKind::mmcvf, 1, 0.02); }
 
+/// Paper eq. (3.7) on closed surfaces: dA/dt = −2 ∫ V H dA and dV/dt = ∫ V dA, outward normals.
+struct ClosedSurface {
+  TriangleSoup soup;
+  OperatorSet ops;
+  Eigen::VectorXd mass;
+
+  explicit ClosedSurface(TriangleSoup surface) : soup(std::move(surface)) {
+    const Topology topology(static_cast<int>(soup.points.size()), soup.triangles);
+    ops = compute_operators(soup.points, soup.triangles, topology, Stencil::two_ring_cubic,
+                            std::vector<char>(soup.points.size(), 1));
+    mass = barycentric_areas(soup.points, soup.triangles);
+  }
+  Eigen::VectorXd velocity(FlowKind flow) const {
+    return flow_velocity(flow, FlowState(ops, static_cast<int>(soup.points.size())));
+  }
+  /// Area and volume after a step along the normals.
+  std::pair<double, double> size_after(const Eigen::VectorXd& s) const {
+    double area = 0, volume = 0;
+    const auto at = [&](int v) { return Vec3(soup.points[v] + s[v] * ops.normal[v]); };
+    for (const Triangle& t : soup.triangles) {
+      const Vec3 cross = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
+      area += cross.norm() / 2;
+      volume += at(t[0]).dot(cross) / 6;
+    }
+    return {area, volume};
+  }
+};
+
+TriangleSoup bumpy_ball(double height) {
+  TriangleSoup ball = make_icosphere(5);
+  for (Vec3& p : ball.points) p *= 1 + height * std::cos(3 * p.x() + 1) * std::cos(2 * p.y() + 0.5);
+  return ball;
+}
+
+TEST(FlowTerms, AreaAndVolumeChangeAsEquation37Says) {
+  const ClosedSurface surface(bumpy_ball(0.1));
+  for (FlowKind flow : all_flows) {
+    const Eigen::VectorXd V = surface.velocity(flow);
+    const double step = 1e-6 / V.cwiseAbs().maxCoeff();
+    const auto [area_after, volume_after] = surface.size_after(step * V);
+    const auto [area_before, volume_before] = surface.size_after(-step * V);
+    const double area = -2 * V.cwiseProduct(surface.ops.H).dot(surface.mass), volume = V.dot(surface.mass);
+    const double size = V.cwiseAbs().dot(surface.mass);  // of ∫|V| dA: the volume's change may be far less
+    EXPECT_NEAR(area, (area_after - area_before) / (2 * step), 0.02 * size) << to_string(flow);
+    EXPECT_NEAR(volume, (volume_after - volume_before) / (2 * step), 0.005 * size) << to_string(flow);
+    EXPECT_GT(std::abs(area), 0.05 * size) << to_string(flow);
+  }
+}
+
+/// Of constant mean curvature: there the paper's flow preserves area and volume.
+TEST(FlowTerms, MmcvfLeavesAreaAndVolumeOfASphere) {
+  const ClosedSurface sphere(bumpy_ball(0)), bumpy(bumpy_ball(0.1));
+  const auto change = [](const ClosedSurface& surface) {
+    const Eigen::VectorXd V = surface.velocity(FlowKind::mmcvf);
+    return std::max(std::abs(2 * V.cwiseProduct(surface.ops.H).dot(surface.mass)), std::abs(V.dot(surface.mass)));
+  };
+  EXPECT_LT(change(sphere), 1e-4 * change(bumpy));
+}
+
 /// Row i of the paper's system before it is reduced: V_i as a linear form in all coordinates r_m^{k+1} (3 #V), by the
 /// splits of §4 written out with the weights, H_l = ½ ⟨n_l, Σ_m w_lm r_m⟩ and K_i = Σ_m ⟨w^K_im, r_m⟩.
 Eigen::RowVectorXd papers_row(const FlowState& s, int i) {
@@ -100,7 +161,7 @@ Eigen::RowVectorXd papers_row(const FlowState& s, int i) {
 }
 
 /// The paper's unknowns are the r_j^{k+1} in R³; its 3n × 3n system gives the same step as ours for s
-/// (docs/dev/numerics.md, "Semi-implicit step").
+/// (docs/math/energy_to_matrix.md, "Semi-implicit step").
 TEST(FlowTerms, ReducedStepEqualsThePapersThreeByThreeBlocks) {
   const EvolutionState state = disturbed_state();
   const int n = state.patch.free_count;

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace loopmend {
 namespace {
 
@@ -60,7 +63,7 @@ TEST(GaussNewton, MatrixIsTheCongruenceAndPositive) {
   const GaussNewtonSystem system = assemble_gauss_newton(state.patch, state.ops, {1, 0});
   const Eigen::MatrixXd lower(system.curvature()), A(lower.selfadjointView<Eigen::Lower>());
   const Eigen::MatrixXd B(curvature_jacobian(state.ops, state.patch.free_count)),
-      Q(curvature_energy(state.patch, {1, 0}).Q);
+      Q(curvature_energy(state.patch, state.ops, {1, 0}).Q);
   EXPECT_LT((A - B.transpose() * Q * B).norm(), 1e-12 * A.norm());
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2).array().sin();
   EXPECT_LT((system.curvature_times(x) - A * x).norm(), 1e-11 * (A * x).norm());
@@ -85,6 +88,37 @@ TEST(CurvatureEnergy, BendingOfASphericalPatchIsItsAreaOverRadiusSquared) {
   for (int i = 0; i < patch.vertex_count(); ++i)
     if (patch.ring[i] <= 2) area += mass[i];
   EXPECT_NEAR(state.measure, area * patch.scale * patch.scale, 0.01 * state.measure);
+}
+
+/// Where nothing fits, any value of H is as good as another: none has a part in the energy.
+TEST(CurvatureEnergy, LeavesOutWhereAFitIsMissing) {
+  const EvolutionState state = disturbed_state({});
+  const Patch& patch = state.patch;
+  for (int ring : {1, 2, 3}) {
+    const auto at = std::find(patch.ring.begin(), patch.ring.end(), ring);
+    const int vertex = static_cast<int>(at - patch.ring.begin());
+    OperatorSet ops = state.ops;
+    ops.valid[vertex] = 0;
+    double left_out = 0;
+    for (const Triangle& t : patch.triangles) {
+      const bool touches = std::find(t.begin(), t.end(), vertex) != t.end();
+      if (!touches || std::min({patch.ring[t[0]], patch.ring[t[1]], patch.ring[t[2]]}) > 2) continue;
+      const auto weight = half_cotangents(patch.positions, t);
+      for (int k = 0; k < 3; ++k) left_out += weight[k] * std::pow(ops.H[t[(k + 1) % 3]] - ops.H[t[(k + 2) % 3]], 2);
+    }
+    ASSERT_GT(left_out, 0);
+    std::vector<double> energies;
+    std::vector<Eigen::VectorXd> gradients;
+    for (double H : {0.0, 1e3}) {
+      ops.H[vertex] = H;
+      energies.push_back(energy_value(patch, ops, {1, 20}));
+      gradients.push_back(assemble_gauss_newton(patch, ops, {1, 20}).half_gradient);
+      EXPECT_NEAR(energy_value(patch, ops, {1, 0}), state.measure - left_out, 1e-12 * state.measure);
+      EXPECT_NEAR(assemble_gauss_newton(patch, ops, {1, 0}).energy, state.measure - left_out, 1e-12 * state.measure);
+    }
+    EXPECT_EQ(energies[0], energies[1]);
+    EXPECT_EQ(gradients[0], gradients[1]);
+  }
 }
 
 TEST(PatchRadius, AClosedPatchCountsAsOneLoop) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's claims (section 5). Inputs are those of samples/paper_inputs.h.
 #include "filling/bridge_loops.h"
+#include "filling/subdivide_polyhedron.h"
 #include "mesh/region.h"
 #include "pipeline/compare.h"
 #include "pipeline/evolve_patch.h"
@@ -70,6 +71,17 @@ TEST(PaperClaims, TheHeadsHolesAreFilledWithoutAJumpOfH) {
   const std::vector<SeamReport> before = seam_reports(start), after = seam_reports(evolved.patch);
   ASSERT_EQ(after.size(), 3u);
   for (std::size_t k = 0; k < after.size(); ++k) EXPECT_LT(after[k].h_jump_rms, 0.15 * before[k].h_jump_rms);
+}
+
+/// Fig. 5.4: by the paper's scheme from the flat faces. The answer is the sphere through the vertices.
+TEST(PaperClaims, TheFlatFacesOfTheDodecahedronBecomeASphere) {
+  const PolyhedronPatch polyhedron = subdivide_polyhedron(make_surface_model(make_dodecahedron()), {});
+  EvolutionOptions options = scheme_with(10);
+  options.triangles = PatchTriangles::kept;
+  const PatchResult evolved = evolve_patch(polyhedron.patch, options, nullptr, {});
+  EXPECT_EQ(evolved.status, PatchStatus::converged);
+  EXPECT_TRUE(evolved.validity.is_clean());
+  for (const Vec3& p : polyhedron_surface(polyhedron, evolved.patch).points) EXPECT_NEAR(p.norm(), 1, 1e-3);
 }
 
 /// Fig. 5.5: the jump falls with the triangles for MMCVF; for SDF and WF it belongs to the surface.

@@ -90,7 +90,7 @@ double unduloid_radius(double z) {
 /// A ring is cut out of a surface of revolution about z: −2 ≤ z ≤ 4, without |z − 1| < 0.7.
 struct MissingRing {
   double (*radius)(double z);
-  double best_peers_jump;  ///< docs/dev/numerics.md, "Peers"
+  double best_peers_jump;  ///< docs/math/energy_to_matrix.md, "Peers"
 };
 
 void expect_back(const MissingRing& ring, int around) {

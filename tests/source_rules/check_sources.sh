@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every source file states its licence within its first three lines, and cites a page of docs/dev by a heading that is
-# there: docs/dev/PAGE.md, "Heading". Neither sources nor documents name notes that are not in the repository. Names each
+# Every source file states its licence within its first three lines, and cites a page of docs/dev or docs/math by a heading that is
+# there: docs/dev/PAGE.md, "Heading", without the number of the section; docs/math/PAGE.md alone means the whole page. Neither sources nor documents name notes that are not in the repository. Names each
 # file or line that breaks a rule.
 # Usage: check_sources.sh ROOT
 # Exit code: 0 all well, 1 rules broken, 2 nothing to check there.
@@ -20,10 +20,12 @@ exec awk '
   BEGIN {
     # In brackets, so that this line does not name them.
     outside = "NUMERIC[S]|FILLIN[G]|BOUNDARIE[S]|PEER[S]|GLOSSAR[Y]|(GU[I]|ARCHITECTUR[E])[.]md"
-    page = "docs/dev/[a-z_]+[.]md"
-    while (("find docs/dev -name \"*.md\" 2>/dev/null" | getline file) > 0)
+    page = "docs/(dev|math)/[a-z_]+[.]md"
+    while (("find docs/dev docs/math -name \"*.md\" 2>/dev/null" | getline file) > 0) {
+      if (file ~ /^docs.math/) heading[file, ""] = 1
       while ((getline line < file) > 0)
-        if (sub(/^#+ /, "", line)) heading[file, line] = 1
+        if (sub(/^#+ ([0-9]+[.][0-9]* ?)?/, "", line)) heading[file, line] = 1
+    }
   }
 
   FNR <= 3 && /(^|[ \t])SPDX-License-Identifier: GPL-3\.0-or-later$/ { licensed[FILENAME] = 1 }

@@ -32,6 +32,8 @@ struct FigureRun {
   std::string why;  ///< the figures that decide, and what was assumed
   SurfaceModel before, initial, after;
   std::string initial_caption = "Initial surface";
+  std::optional<SurfaceModel> between;  ///< a state on the way, where the paper shows one
+  std::string between_caption;
   enum class Look { curvature, polyhedron } look = Look::curvature;  ///< of the first picture
   std::optional<Vec3> eye;  ///< where the pictures are taken from, see RenderOptions
   std::optional<TableRow> paper, ours;

@@ -38,7 +38,6 @@ void write_figure(OutputTransaction& outputs, FigureRun& run, const std::filesys
   write_mesh(outputs, folder / (run.id + "-initial.ply"), run.initial.soup);
   write_mesh(outputs, folder / (run.id + "-result.ply"), run.after.soup);
   RenderOptions options;
-  options.width = 1800;
   options.height = 620;
   options.h_range = color_range(run.after);
   options.eye = run.eye;
@@ -47,14 +46,21 @@ void write_figure(OutputTransaction& outputs, FigureRun& run, const std::filesys
     input.shading = Shading::plain;
     input.edges = Edges::shown;
   }
-  add_text(outputs, folder / (run.id + ".png"),
-           render_panels({input, {&run.initial, run.initial_caption}, {&run.after, "Result"}}, 3, options));
+  std::vector<Panel> panels{input, {&run.initial, run.initial_caption}};
+  if (run.between) {
+    write_mesh(outputs, folder / (run.id + "-between.ply"), run.between->soup);
+    panels.push_back({&*run.between, run.between_caption});
+  }
+  panels.push_back({&run.after, "Result"});
+  options.width = static_cast<int>(600 * panels.size());
+  add_text(outputs, folder / (run.id + ".png"), render_panels(panels, static_cast<int>(panels.size()), options));
   if (run.comparison) {
     outputs.add_folder(folder / run.id);
     write_comparison(outputs, {run.start, run.surface}, *run.comparison, run.id + ": " + run.title, folder / run.id,
                      run.eye);
   }
   run.before = run.initial = run.after = {};
+  run.between.reset();
 }
 
 std::string table_html(const std::vector<Entry>& entries) {

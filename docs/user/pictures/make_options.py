@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pictures of docs/user/holes_and_options.md: kinds of loops, density, continuity.
+
+Usage: make_options.py PROGRAM FOLDER   writes option_kinds.png, option_density.png and option_continuity.png into FOLDER
+
+The models are formulas of make_cases.py. Needs NumPy, PyVista and Pillow, and xvfb-run where there is no display.
+"""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pyvista
+from PIL import Image, ImageDraw, ImageFont
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import make_cases  # noqa: E402
+
+COLORS = {"hole": "#b5095f", "outer rim": "#707070", "crack": "#1f6fb4", "cut": "#d9781a"}
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+
+
+def surface(path):
+    return pyvista.read(path)
+
+
+def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 320)):
+    plotter = pyvista.Plotter(off_screen=True, window_size=(2 * size[0], 2 * size[1]))
+    plotter.set_background("white")
+    smooth = mesh.compute_normals(cell_normals=False, feature_angle=40, split_vertices=True)
+    plotter.add_mesh(smooth, color="#d6d0c8", ambient=0.25, specular=0.1, smooth_shading=not edges, show_edges=edges, edge_color="#57534e",
+                     line_width=2, backface_params={"color": "#55514d"})
+    extent = np.ptp(np.array(mesh.bounds).reshape(3, 2), axis=1)
+    for kind, points in loops:
+        plotter.add_mesh(pyvista.lines_from_points(points, close=True).tube(radius=0.007 * extent.max()), color=COLORS[kind])
+    middle = np.array(mesh.bounds).reshape(3, 2).mean(axis=1)
+    plotter.camera_position = [middle + 2.4 * np.linalg.norm(extent) * np.array(view) / np.linalg.norm(view), middle, up]
+    plotter.camera.zoom(zoom)
+    plotter.enable_anti_aliasing("ssaa")
+    image = Image.fromarray(plotter.screenshot(return_img=True)).resize(size, Image.LANCZOS)
+    plotter.close()
+    return image
+
+
+def sheet(images, texts, path):
+    wide, high = images[0].size
+    made = Image.new("RGB", (wide * len(images), high + 42), "white")
+    pen, font = ImageDraw.Draw(made), ImageFont.truetype(FONT, 22)
+    for k, (image, text) in enumerate(zip(images, texts)):
+        made.paste(image, (k * wide, 42))
+        pen.text((k * wide + 10, 8), text, fill="#222222", font=font)
+    if "density" in path.name:  # thin lines need few colors
+        made = made.quantize(64, dither=Image.Dither.NONE)
+    made.save(path, optimize=True)
+
+
+def slit():
+    """A sheet in which two sides lie at the same place and are not joined: a crack, and nothing is missing."""
+    points, faces = make_cases.grid(20, 12, lambda u, v: (100 * u - 50, 60 * v, 0.006 * (100 * u - 50)**2))
+    points, copy = list(points), {}
+    for i in range(5, 16):
+        copy[6 * 21 + i] = len(points)
+        points.append(points[6 * 21 + i])
+    return points, [tuple(copy.get(v, v) for v in f) if sum(points[v][1] for v in f) > 3 * 30 else f for f in faces]
+
+
+def fin():
+    """A sheet on which another one stands: three triangles meet at each edge between them."""
+    points, faces = make_cases.grid(20, 12, lambda u, v: (100 * u - 50, 50 * v, 0))
+    points, faces = list(points), list(faces)
+    row = [j * 21 + 10 for j in range(13)]
+    below = row
+    for k in range(1, 5):
+        above = []
+        for v in row:
+            x, y, _ = points[v]
+            above.append(len(points))
+            points.append((x + 1.2 * k, y, 6.0 * k))
+        for a, b, c, d in zip(below, below[1:], above, above[1:]):
+            faces += [(a, b, d), (a, d, c)]
+        below = above
+    return points, faces
+
+
+def kinds(program, folder, work):
+    shown = [("hole: filled", make_cases.pebble_with_hole, (0.3, -0.8, 1.2), 1.6), ("outer rim: left open", make_cases.mask, (0.9, -0.3, 1), 1.5),
+             ("crack: --stitch joins it", slit, (0.2, -1, 1.6), 1.5), ("cut: --repair separates it", fin, (0.6, -1, 1), 1.6)]
+    images = []
+    for text, model, view, zoom in shown:
+        path = work / "model.ply"
+        points, faces = model()
+        make_cases.write_ply(path, points, faces)
+        found = json.loads(subprocess.run([program, "info", path, "--json", "-"], check=True, capture_output=True, text=True).stdout)
+        loops = [(loop["kind"], np.array(points)[loop["vertices"]]) for loop in found["loops"]]
+        print(text, [kind for kind, _ in loops])
+        images.append(panel(surface(path), view, loops, zoom=zoom))
+    sheet(images, [text for text, *_ in shown], Path(folder) / "option_kinds.png")
+
+
+def density(program, folder, work):
+    images, texts = [], []
+    make_cases.write_ply(work / "pebble.ply", *make_cases.tidy(make_cases.cut(
+        make_cases.pebble(4), lambda x, y, z: z > 0 and make_cases.ring_hole(x, y) < 1)))
+    for ratio in (0.5, 1, 2):
+        subprocess.run([program, "fill", work / "pebble.ply", "-o", work / "out.ply", "--quiet", "--density", str(ratio)], check=True)
+        images.append(panel(surface(work / "out.ply"), (0.1, -0.35, 1.2), edges=True, zoom=2.7))
+        texts.append(f"--density {ratio}" + (" (default)" if ratio == 1 else ""))
+    sheet(images, texts, Path(folder) / "option_density.png")
+
+
+def continuity(program, folder, work):
+    make_cases.write_ply(work / "pebble.ply", *make_cases.pebble_with_hole())
+    for word in ("position", "tangent", "curvature"):
+        subprocess.run([program, "fill", work / "pebble.ply", "-o", work / f"{word}.ply", "--quiet", "--continuity", word], check=True)
+    images = []
+    for pair in (("position", "tangent"), ("curvature", "curvature")):
+        subprocess.run([program, "render", *(work / f"{word}.ply" for word in pair), "-o", work / "pair.png", "--color", "zebra", "--size", "1000x460",
+                        "--direction", "0.1,-0.35,1.2"], check=True, stdout=subprocess.DEVNULL)
+        both = Image.open(work / "pair.png").convert("RGB")
+        images += [both.crop((k * 500, 30, (k + 1) * 500, 460)) for k in (0, 1)]
+    sheet(images[:3], ["--continuity position", "--continuity tangent", "--continuity curvature (default)"], Path(folder) / "option_continuity.png")
+
+
+def main():
+    if len(sys.argv) != 3:
+        raise SystemExit(__doc__)
+    with tempfile.TemporaryDirectory() as name:
+        for make in (kinds, density, continuity):
+            make(*sys.argv[1:], Path(name))
+
+
+if __name__ == "__main__":
+    main()
