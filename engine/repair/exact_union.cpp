@@ -175,6 +175,22 @@ class Uniting {
     return true;
   }
 
+  /// The corners of faces, each from its least place on, by their places: CGAL's own order depends on chance.
+  static std::vector<std::array<Vertex, 3>> in_order(const Body& body, const std::vector<Face>& faces) {
+    const auto precedes = [&](Vertex v, Vertex w) { return body.mesh.point(v) < body.mesh.point(w); };
+    std::vector<std::array<Vertex, 3>> result;
+    for (const Face f : faces) {
+      std::array<Vertex, 3>& corners = result.emplace_back();
+      std::size_t k = 0;
+      for (const Vertex v : CGAL::vertices_around_face(body.mesh.halfedge(f), body.mesh)) corners.at(k++) = v;
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), precedes), corners.end());
+    }
+    std::sort(result.begin(), result.end(), [&](const auto& a, const auto& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), precedes);
+    });
+    return result;
+  }
+
   ExactUnion result_of(const Body& body, const std::vector<int>& members) const {
     ExactUnion result{members, {}, {}};
     std::map<int, std::vector<Face>> by_face;
@@ -190,11 +206,9 @@ class Uniting {
       return entry->second;
     };
     for (const auto& [face, parts] : by_face)
-      for (const Face f : parts) {
+      for (const std::array<Vertex, 3>& part : in_order(body, parts)) {
         FaceOfUnion& made = result.faces.emplace_back(FaceOfUnion{face, {}});
-        std::size_t k = 0;
-        for (const Vertex v : CGAL::vertices_around_face(body.mesh.halfedge(f), body.mesh))
-          made.corners.at(k++) = corner(v);
+        std::transform(part.begin(), part.end(), made.corners.begin(), corner);
       }
     return result;
   }

@@ -220,6 +220,15 @@ std::vector<char> intersecting(const TriangleSoup& soup, RepairCounts& counts, c
   return result;
 }
 
+/// What crosses itself and is cut there may be closed no more, so that what it crosses is cut next.
+void cut_intersections(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
+  for (bool changes = true; changes;) {
+    const std::size_t removed = remove(soup, intersecting(soup, counts, cancel));
+    counts.intersecting_faces += removed;
+    changes = removed > 0 && counts.overlapping_bodies > 0;
+  }
+}
+
 /// The oriented view of the soup becomes the soup.
 void separate(TriangleSoup& soup, RepairCounts& counts) {
   const SurfaceModel model = make_surface_model(soup);
@@ -312,7 +321,7 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
         counts.duplicate_faces = remove(result.soup, duplicates(result.soup.triangles));
         break;
       case Defect::intersections:
-        counts.intersecting_faces = remove(result.soup, intersecting(result.soup, counts, cancel));
+        cut_intersections(result.soup, counts, cancel);
         if (defects.contains(Defect::overlaps)) counts.overlapping_bodies = 0;  // they are united next
         break;
       case Defect::non_manifold:
