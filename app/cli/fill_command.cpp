@@ -93,13 +93,15 @@ struct Outcome {
   int unfinished = 0;       ///< when the command was stopped, or its time was over
   int wide_cracks = 0;      ///< left for --stitch
   int open_cuts = 0;        ///< loops along which the surface had to be cut, but which look like holes
+  std::size_t apart = 0;    ///< bodies and pieces that --union left
   int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
   bool holes_left = false;  ///< some loop that could be filled was left as asked
 
   /// Nothing was done, and nobody asked for that.
   bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
   int exit_code() const {
-    return failed + bad + unfinished + wide_cracks + open_cuts > 0 || in_vain() ? exit_loops_failed : exit_done;
+    return failed + bad + unfinished + wide_cracks + open_cuts > 0 || apart > 0 || in_vain() ? exit_loops_failed
+                                                                                             : exit_done;
   }
 };
 
@@ -140,11 +142,37 @@ std::string words_of(const RepairCounts& counts) {
   add(counts.turned_faces, "face turned", "faces turned");
   if (counts.turned_shells > 0)
     words += " (" + counted(counts.turned_shells, "body", "bodies or cavities") + " inside out)";
+  if (counts.united.bodies > 0) {
+    add(counts.united.bodies, "body united", "bodies united");
+    words += " into " + std::to_string(counts.united.made) + " (" +
+             counted(counts.united.removed_faces, "face", "faces") + " removed or divided, " +
+             counted(counts.united.new_faces, "part", "parts") + " of them made)";
+  }
   add(counts.cut_handles, "tiny handle cut open", "tiny handles cut open");
   if (counts.cut_handles > 0) words += " (" + counted(counts.handle_faces, "face", "faces") + ")";
   add(counts.removed_pieces, "crumb removed", "crumbs removed");
   if (counts.removed_pieces > 0) words += " (" + counted(counts.removed_faces, "face", "faces") + ")";
   return words;
+}
+
+/// Bodies that overlap still, and the next thing to do.
+void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
+  if (counts.overlapping_bodies > 0)
+    std::fprintf(out, "%s others and stay whole: --union makes one of those that are closed.\n",
+                 counted(counts.overlapping_bodies, "body overlaps", "bodies overlap").c_str());
+  if (counts.united.open_pieces > 0)
+    std::fprintf(out, "%s left as they are: fill their holes, then use --union on what was written.\n",
+                 counted(counts.united.open_pieces, "open piece of surface crosses others; such pieces are",
+                         "open pieces of surface cross others and are")
+                     .c_str());
+  if (counts.united.crossing > 0)
+    std::fprintf(out, "%s left as they are: use --cut-intersections, then --union on what was written.\n",
+                 counted(counts.united.crossing, "closed body crosses itself and others; such bodies are",
+                         "closed bodies cross themselves and others and are")
+                     .c_str());
+  if (counts.united.touching > 0)
+    std::fprintf(out, "%s at single points or edges alone and stay apart: around both there is no manifold.\n",
+                 counted(counts.united.touching, "pair of bodies touches", "pairs of bodies touch").c_str());
 }
 
 void print_preparation(std::FILE* out, const Preparation& done) {
@@ -169,6 +197,7 @@ void print_preparation(std::FILE* out, const Preparation& done) {
     std::fprintf(out, "Repair: nothing to do.\n");
   else
     std::fprintf(out, "Repaired: %s; the output is compared with the repaired mesh.\n", repaired.c_str());
+  print_left_bodies(out, *done.repaired);
   if (done.joined_again > 0)
     std::fprintf(out, "Stitched again: %s that the repair had parted.\n",
                  counted(done.joined_again, "vertex was joined", "vertices were joined").c_str());
@@ -187,7 +216,18 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
         {"duplicate_faces", done.repaired->duplicate_faces}, {"intersecting_faces", done.repaired->intersecting_faces},
         {"cut_handles", done.repaired->cut_handles},         {"handle_faces", done.repaired->handle_faces},
         {"removed_pieces", done.repaired->removed_pieces},   {"removed_faces", done.repaired->removed_faces}};
-  if (done.repaired) json["repaired"]["turned_shells"] = done.repaired->turned_shells;
+  if (done.repaired) {
+    json["repaired"]["turned_shells"] = done.repaired->turned_shells;
+    json["repaired"]["overlapping_bodies"] = done.repaired->overlapping_bodies;
+    const UnionCounts& united = done.repaired->united;
+    json["repaired"]["union"] = {{"bodies", united.bodies},
+                                 {"made", united.made},
+                                 {"removed_faces", united.removed_faces},
+                                 {"new_faces", united.new_faces},
+                                 {"open_pieces", united.open_pieces},
+                                 {"crossing_bodies", united.crossing},
+                                 {"touching_pairs", united.touching}};
+  }
   if (done.no_data_faces > 0) json["no_data_faces"] = done.no_data_faces;
   if (done.joined_again > 0) json["joined_again"] = done.joined_again;
   if (done.bridges > 0) json["bridges"] = done.bridges;
@@ -373,7 +413,8 @@ int run_fill(const FillCommand& command) {
   TriangleSoup& soup = scan.model.soup;
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
   const bool stopped = cancel.cancelled();
-  const Outcome outcome = outcome_of(results, scan.choices);
+  Outcome outcome = outcome_of(results, scan.choices);
+  if (scan.done.repaired) outcome.apart = scan.done.repaired->united.open_pieces + scan.done.repaired->united.crossing;
   WriteScanOptions options = command.write;
   if (command.deviations == FillCommand::Deviations::written) options.expected_deviation = expected_deviations(results);
   std::size_t exterior = scan.given.points;

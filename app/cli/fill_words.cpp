@@ -135,8 +135,12 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, bodies "
       "that are inside out among them, remove "
       "degenerate and duplicate faces and crumbs");
-  fill->add_flag("--cut-intersections", words.cut_intersections,
-                 "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled");
+  fill->add_flag(
+      "--cut-intersections", words.cut_intersections,
+      "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled; closed "
+      "bodies that overlap stay");
+  fill->add_flag("--union", words.unite,
+                 "Repair as --repair does, and make one body of closed ones that overlap; cavities stay");
   fill->add_flag(
       "--cut-handles", words.cut_handles,
       "Repair as --repair does, and cut open handles of at most eight edges, as noise leaves them, for their holes to "
@@ -249,9 +253,10 @@ void take_words(const FillWords& words, FillCommand& command) {
     prepare.stitch_tolerance = stitch_tolerance_of(words.stitch);
   }
   if (words.trim_crossing) prepare.trim_pierced = PrepareOptions::TrimPierced::yes;
-  if (words.repair || words.cut_intersections || words.cut_handles) prepare.repair = harmless_repairs;
+  if (words.repair || words.cut_intersections || words.cut_handles || words.unite) prepare.repair = harmless_repairs;
   if (words.cut_intersections) prepare.repair.insert(Defect::intersections);
   if (words.cut_handles) prepare.repair.insert(Defect::handles);
+  if (words.unite) prepare.repair.insert(Defect::overlaps);
   if (!words.base.empty()) prepare.base = base_of(words.base);
   for (const std::string& text : words.bridges) prepare.bridges.push_back(two_vertices("--bridge", text));
 }

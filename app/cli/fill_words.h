@@ -21,7 +21,7 @@ struct FillWords {
   std::string loops = "all";               ///< or "1,3:flat"
   std::optional<std::string> at_vertices;  ///< "17,230"
   bool include_outer_rim = false, trim_crossing = false, repair = false, cut_intersections = false, cut_handles = false,
-       keep_partial = false;
+       unite = false, keep_partial = false;
   std::string stitch;                             ///< "0.5" or "5%"; empty: no stitching
   std::string base;                               ///< "5" or "2:5"; empty: none
   std::vector<std::string> bridges, drawn_edges;  ///< "A,B"

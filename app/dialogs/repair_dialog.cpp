@@ -43,6 +43,11 @@ const Words all_words[] = {
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Separate"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
                        "Every edge gets two faces at most, every vertex one fan; faces are turned to agree")},
+    {Defect::overlaps, "Overlapping",
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Closed bodies that overlap; Fix all leaves them"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Unite"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog",
+                       "One body of all that overlap, touch along faces or lie within each other; cavities stay")},
     {Defect::handles, "Handles", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny handles; Fix all leaves them"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Cut open"),
      QT_TRANSLATE_NOOP(
@@ -62,13 +67,14 @@ std::size_t count_of(Defect defect, const RepairCounts& counts) {
     case Defect::duplicate_faces: return counts.duplicate_faces;
     case Defect::intersections: return counts.intersecting_faces;
     case Defect::non_manifold: return counts.separated_edges + counts.separated_vertices + counts.turned_faces;
+    case Defect::overlaps: return counts.overlapping_bodies;
     case Defect::handles: return counts.cut_handles;
     case Defect::crumbs: return counts.removed_pieces;
   }
   return 0;
 }
 
-bool is_defect_for_sure(Defect defect) { return defect != Defect::handles; }
+bool is_defect_for_sure(Defect defect) { return defect != Defect::handles && defect != Defect::overlaps; }
 
 }  // namespace
 
@@ -118,7 +124,7 @@ void RepairDialog::build() {
   grid->setColumnStretch(0, 1);
   auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
   all_ = make_button("repairAll", tr("&Fix all"),
-                     tr("Mend everything that was found but the tiny handles, in this order"));
+                     tr("Mend everything that was found but overlaps and tiny handles, in this order"));
   buttons->addButton(all_, QDialogButtonBox::ActionRole);
   all_->setDefault(true);
   connect(all_, &QPushButton::clicked, this, [this] {
@@ -152,6 +158,7 @@ void RepairDialog::count() {
           all.degenerate_faces += own.degenerate_faces;
           all.duplicate_faces += own.duplicate_faces;
           all.intersecting_faces += own.intersecting_faces;
+          all.overlapping_bodies += own.overlapping_bodies;
           all.separated_edges += own.separated_edges;
           all.separated_vertices += own.separated_vertices;
           all.turned_faces += own.turned_faces;

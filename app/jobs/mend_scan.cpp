@@ -72,9 +72,27 @@ QStringList list_of(const RepairCounts& counts) {
   add(counts.separated_edges, FillController::tr("%Ln edges separated", nullptr, n(counts.separated_edges)));
   add(counts.separated_vertices, FillController::tr("%Ln vertices separated", nullptr, n(counts.separated_vertices)));
   add(counts.turned_faces, FillController::tr("%Ln faces turned", nullptr, n(counts.turned_faces)));
+  add(counts.united.bodies, FillController::tr("%Ln bodies united", nullptr, n(counts.united.bodies)));
   add(counts.cut_handles, FillController::tr("%Ln tiny handles cut open", nullptr, n(counts.cut_handles)));
   add(counts.removed_pieces, FillController::tr("%Ln loose crumbs removed", nullptr, n(counts.removed_pieces)));
   return done;
+}
+
+/// What overlaps still, and the next thing to do; empty: nothing.
+QString bodies_left(const UnionCounts& united) {
+  QStringList left;
+  const auto n = [](std::size_t count) { return static_cast<int>(count); };
+  if (united.open_pieces > 0)
+    left << FillController::tr("%Ln open piece(s) crossing others were left: fill the holes, then unite.", nullptr,
+                               n(united.open_pieces));
+  if (united.crossing > 0)
+    left << FillController::tr(
+        "%Ln bodies crossing themselves were left: cut out faces that intersect others, fill the holes, then unite.",
+        nullptr, n(united.crossing));
+  if (united.touching > 0)
+    left << FillController::tr("%Ln pair(s) of bodies touching at points or edges alone stay apart.", nullptr,
+                               n(united.touching));
+  return left.join(QLatin1Char(' '));
 }
 
 QString sentence_of(const OpenedScan& scan, const QStringList& done) {
@@ -84,9 +102,15 @@ QString sentence_of(const OpenedScan& scan, const QStringList& done) {
 std::optional<MendedScan> repaired(const MendingTask& task) {
   const OpenedScan& old = *task.opened;
   RepairedSurface result = repair_surface(as_read(*old.model), task.defects, task.cancel);
-  if (!result.counts.any()) return std::nullopt;
+  const QString left = bodies_left(result.counts.united);
+  if (!result.counts.any()) {
+    if (left.isEmpty()) return std::nullopt;
+    return MendedScan{task.scan, nullptr, {}, left};
+  }
+  QString words = sentence_of(old, list_of(result.counts));
+  if (!left.isEmpty()) words += QLatin1Char(' ') + left;
   return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
-                    FillController::tr("Repair %1").arg(old.name), sentence_of(old, list_of(result.counts))};
+                    FillController::tr("Repair %1").arg(old.name), words};
 }
 
 /// What `fill --auto` does before it fills.
@@ -220,7 +244,7 @@ std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
     case Mending::erase: result = erased(task); break;
     case Mending::part: result = parted(task); break;
   }
-  if (!result) return result;
+  if (!result || !result->made) return result;
   result->made->mended = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->mended;
   if (result->new_points)
     result->carried = carried_patches(task.patches, task.first_loop, *task.opened, *result->made, *result->new_points);

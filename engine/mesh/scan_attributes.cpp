@@ -105,4 +105,15 @@ AttributeRole role_of(std::string_view name) {
   return name == "nx" || name == "ny" || name == "nz" ? AttributeRole::normal : AttributeRole::other;
 }
 
+bool is_smooth(const AttributeColumn& column) {
+  return !column.is_list() && (!is_integer(column.type()) || role_of(column.name()) == AttributeRole::color);
+}
+
+void copy_row(const AttributeColumn& from, int row, AttributeColumn& to) {
+  if (!from.is_list()) return to.push(row < 0 ? 0 : from.value(static_cast<std::size_t>(row)));
+  for (std::size_t k = 0; row >= 0 && k < from.items(static_cast<std::size_t>(row)); ++k)
+    to.push_item(from.value(static_cast<std::size_t>(row), k));
+  to.end_list();
+}
+
 }  // namespace loopmend

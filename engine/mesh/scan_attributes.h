@@ -125,4 +125,10 @@ enum class AttributeRole {
 };
 AttributeRole role_of(std::string_view name);
 
+/// Whether values between those of two rows say something: colours, and numbers with fractions.
+bool is_smooth(const AttributeColumn& column);
+
+/// Adds the value or list of a row of `from`; of no row, which is −1, 0 or an empty list.
+void copy_row(const AttributeColumn& from, int row, AttributeColumn& to);
+
 }  // namespace loopmend

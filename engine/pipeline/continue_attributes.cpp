@@ -76,10 +76,6 @@ NewPart new_part(const TriangleSoup& soup) {
   return part;
 }
 
-bool is_smooth(const AttributeColumn& column) {
-  return !column.is_list() && (!is_integer(column.type()) || role_of(column.name()) == AttributeRole::color);
-}
-
 class Continuation {
  public:
   explicit Continuation(const TriangleSoup& soup) : soup_(soup), scan_(*soup.attributes), part_(new_part(soup)) {}
@@ -209,13 +205,6 @@ class Continuation {
           copy_row(given, part_.nearest[k] < 0 ? -1 : point_row(soup_, part_.points[part_.nearest[k]]), column);
       }
     }
-  }
-
-  static void copy_row(const AttributeColumn& from, int row, AttributeColumn& to) {
-    if (!from.is_list()) return to.push(row < 0 ? 0 : from.value(static_cast<std::size_t>(row)));
-    for (std::size_t k = 0; row >= 0 && k < from.items(static_cast<std::size_t>(row)); ++k)
-      to.push_item(from.value(static_cast<std::size_t>(row), k));
-    to.end_list();
   }
 
   /// The file's face nearest to a new triangle; −1: none.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,8 @@ namespace {
 /// A piece of at most so many faces and of at most this share of the largest one's extent is a crumb of the scan.
 constexpr int most_faces_of_a_crumb = 10;
 constexpr double extent_of_a_crumb = 0.05;
+/// Openings of a body that is closed but for small holes, as a part of its area.
+constexpr double most_open = 0.05;
 constexpr int most_joins_of_separated = 10;  ///< 2 were the most in 24 scans
 
 /// For each view face whether its piece of surface is a crumb. @param pieces  is set to the number of crumbs.
@@ -187,30 +190,43 @@ std::vector<char> duplicates(const Triangles& triangles) {
   return gone;
 }
 
-/// For each face the number of its piece of surface where that is closed; −1: open, or the face is no part of the surface.
-std::vector<int> closed_piece_of_faces(const TriangleSoup& soup) {
+/// For each face the number of its piece of surface where that is closed but for small holes; −1: open, or the face is no part of
+/// the surface.
+std::vector<int> body_of_faces(const TriangleSoup& soup) {
   const SurfaceModel model = make_surface_model(soup);
   const std::vector<int> piece = pieces_of(model.mesh);
-  std::vector<char> is_open(piece.size(), 0);
-  for (const auto h : model.mesh.halfedges())
-    if (model.mesh.is_boundary(h))
-      is_open[piece[model.mesh.face_handle(model.mesh.opposite_halfedge_handle(h)).idx()]] = 1;
+  std::vector<double> area(piece.size(), 0), open(piece.size(), 0);
+  for (const auto face : model.mesh.faces()) area[piece[face.idx()]] += model.mesh.calc_face_area(face);
+  for (const BoundaryLoop& loop : find_boundary_loops(model)) open[piece_beside(model.mesh, piece, loop)] += loop.area;
   std::vector<int> result(soup.triangles.size(), -1);
   for (std::size_t f = 0; f < piece.size(); ++f)
-    if (!is_open[piece[f]]) result[model.soup_face[f]] = piece[f];
+    if (open[piece[f]] <= most_open * area[piece[f]]) result[model.soup_face[f]] = piece[f];
   return result;
 }
 
-/// Closed bodies that overlap stay as they are: cutting would open both.
-std::vector<char> intersecting(const TriangleSoup& soup, const CancelToken& cancel) {
+/// What is closed stays so, but for where it crosses itself. Small holes will be filled.
+std::vector<char> intersecting(const TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
   std::vector<char> result(soup.triangles.size(), 0);
-  const std::vector<int> closed = closed_piece_of_faces(soup);
+  const std::vector<int> body = body_of_faces(soup);
+  std::set<int> overlapping;
   const auto count = static_cast<int>(soup.triangles.size());
   for (const auto& [f, g] : self_intersections(soup.points, soup.triangles, count, cancel)) {
-    const bool overlap = closed[f] >= 0 && closed[g] >= 0 && closed[f] != closed[g];
-    if (!overlap) result[f] = result[g] = 1;
+    const bool are_one = body[f] == body[g];
+    if (body[f] < 0 || are_one) result[f] = 1;
+    if (body[g] < 0 || are_one) result[g] = 1;
+    if (body[f] >= 0 && body[g] >= 0 && !are_one) overlapping.insert({body[f], body[g]});
   }
+  counts.overlapping_bodies = overlapping.size();
   return result;
+}
+
+/// What crosses itself and is cut there may be closed no more, so that what it crosses is cut next.
+void cut_intersections(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
+  for (bool changes = true; changes;) {
+    const std::size_t removed = remove(soup, intersecting(soup, counts, cancel));
+    counts.intersecting_faces += removed;
+    changes = removed > 0 && counts.overlapping_bodies > 0;
+  }
 }
 
 /// The oriented view of the soup becomes the soup.
@@ -266,6 +282,12 @@ void turn_outward(TriangleSoup& soup, RepairCounts& counts) {
     if (shells.faces[f]) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
 }
 
+void unite(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
+  UnitedSurface united = unite_bodies(soup, cancel);
+  counts.united = united.counts;
+  soup = std::move(united.soup);
+}
+
 void cut_handles(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
   const SurfaceModel model = make_surface_model(soup);
   const TinyHandles handles = find_tiny_handles(model.mesh, cancel);
@@ -299,7 +321,8 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
         counts.duplicate_faces = remove(result.soup, duplicates(result.soup.triangles));
         break;
       case Defect::intersections:
-        counts.intersecting_faces = remove(result.soup, intersecting(result.soup, cancel));
+        cut_intersections(result.soup, counts, cancel);
+        if (defects.contains(Defect::overlaps)) counts.overlapping_bodies = 0;  // they are united next
         break;
       case Defect::non_manifold:
         separate(result.soup, counts);
@@ -310,6 +333,13 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
           if (join_coincident(result.soup) == 0) break;
           separate(result.soup, again);
         }
+        break;
+      case Defect::overlaps:
+        if (!defects.contains(Defect::non_manifold)) {
+          separate(result.soup, counts);
+          turn_outward(result.soup, counts);
+        }
+        unite(result.soup, counts, cancel);
         break;
       case Defect::handles: cut_handles(result.soup, counts, cancel); break;
       case Defect::crumbs:
@@ -335,7 +365,9 @@ RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel) 
   counts.joined_points = alone(Defect::coincident_points).joined_points;
   counts.degenerate_faces = alone(Defect::degenerate_faces).degenerate_faces;
   counts.duplicate_faces = alone(Defect::duplicate_faces).duplicate_faces;
-  counts.intersecting_faces = alone(Defect::intersections).intersecting_faces;
+  const RepairCounts intersections = alone(Defect::intersections);
+  counts.intersecting_faces = intersections.intersecting_faces;
+  counts.overlapping_bodies = intersections.overlapping_bodies;
   return counts;
 }
 

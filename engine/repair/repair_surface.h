@@ -4,6 +4,7 @@
 
 #include "core/cancel.h"
 #include "mesh/triangle_soup.h"
+#include "repair/unite_bodies.h"
 
 #include <cstddef>
 #include <set>
@@ -14,13 +15,15 @@ enum class Defect {
   coincident_points,  ///< several at exactly the same place: joined
   degenerate_faces,   ///< with a vertex twice: removed
   duplicate_faces,    ///< over the vertices of an earlier one: removed; the earlier one too where they cancel out
-  /// Faces that cut another: removed, which leaves holes to be filled. Where closed bodies overlap, both stay.
+  /// Faces that cut another: removed, which leaves holes to be filled. Bodies that are closed but for holes of a twentieth of
+  /// their area stay whole where they overlap each other, and where something open crosses them.
   intersections,
   /// Edges of more than two faces, fans that meet at a vertex: separated. Faces are turned to agree, and those of bodies
   /// that are closed but for small holes to look outward (inverted_shells.h).
   non_manifold,
-  handles,  ///< of a few edges: cut open, which leaves two holes each to be filled
-  crumbs,   ///< tiny pieces of surface: removed
+  overlaps,  ///< closed bodies that overlap: united (unite_bodies.h)
+  handles,   ///< of a few edges: cut open, which leaves two holes each to be filled
+  crumbs,    ///< tiny pieces of surface: removed
 };
 
 /// What makes a manifold without removing anything that a person would miss.
@@ -33,30 +36,34 @@ struct RepairCounts {
   std::size_t degenerate_faces = 0;    ///< removed
   std::size_t duplicate_faces = 0;     ///< removed
   std::size_t intersecting_faces = 0;  ///< removed
+  std::size_t overlapping_bodies = 0;  ///< that cross others: left where faces are cut, not united
   std::size_t separated_edges = 0;     ///< had more than two faces; each now has two or one
   /// Fans that lie side by side, as where two holes touch, keep their vertex in common.
   std::size_t separated_vertices = 0;  ///< became several at one place: ends of such edges, and where sheets touch
   std::size_t turned_faces = 0;        ///< to agree with their neighbors, and those of the shells
   std::size_t turned_shells = 0;       ///< bodies and cavities that were inside out
-  std::size_t cut_handles = 0;         ///< tiny
-  std::size_t handle_faces = 0;        ///< removed to cut them
-  std::size_t removed_pieces = 0;      ///< of surface, tiny
-  std::size_t removed_faces = 0;       ///< of these pieces
+  UnionCounts united;
+  std::size_t cut_handles = 0;     ///< tiny
+  std::size_t handle_faces = 0;    ///< removed to cut them
+  std::size_t removed_pieces = 0;  ///< of surface, tiny
+  std::size_t removed_faces = 0;   ///< of these pieces
 
   bool any() const {
     return joined_points + degenerate_faces + duplicate_faces + intersecting_faces + separated_edges +
-               separated_vertices + turned_faces + cut_handles + removed_pieces >
+               separated_vertices + turned_faces + united.bodies + cut_handles + removed_pieces >
            0;
   }
 };
 
 struct RepairedSurface {
-  TriangleSoup soup;  ///< the points given, in their order and bit by bit, then the copies of those that were separated
+  /// The points given, in their order and bit by bit, then the copies of those that were separated, then those that uniting
+  /// bodies made.
+  TriangleSoup soup;
   RepairCounts counts;
 };
 
 /// Mends the defects named, in the order of the enumeration. Faces keep their order. No point moves. Points that no face
-/// needs any more stay. `non_manifold` takes degenerate and duplicate faces along.
+/// needs any more stay. `non_manifold` takes degenerate and duplicate faces along, and `overlaps` takes `non_manifold` along.
 /// @throws InvalidArgument if no usable face is left.
 RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects = harmless_repairs,
                                const CancelToken& cancel = {});

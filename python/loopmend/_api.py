@@ -113,6 +113,7 @@ def fill(
     auto: bool = False,
     repair: bool = False,
     cut_intersections: bool = False,
+    union: bool = False,
     cut_handles: bool = False,
     cut_no_data: bool = False,
     base: Union[None, float, Tuple[int, float]] = None,
@@ -170,7 +171,10 @@ def fill(
         auto: does first what this mesh needs, and nothing else: stitch where boundaries nearly coincide, repair where loops run
             along edges of more than two faces, trim_crossing where no patch could be valid.
         repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
-        cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled.
+        cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled. Bodies that are
+            closed but for small holes stay whole where they overlap.
+        union: the same as repair, and makes one body of closed ones that overlap; cavities stay. What is open or crosses itself
+            is left: `prepared["repaired"]["union"]` counts it.
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
             the extent of their piece of surface, for their holes to be filled.
         cut_no_data: removes the faces at vertices that mark missing data first, such as heights of -9999.
@@ -212,7 +216,7 @@ def fill(
         "all_but_largest": all_but_largest,
         "include_outer_rim": include_outer_rim, "islands": islands, "mirror": mirror,
         "mirror_plane": None if mirror_plane is None else [float(x) for x in mirror_plane], "stitch": stitch, "auto": auto, "repair": repair,
-        "cut_intersections": cut_intersections, "cut_handles": cut_handles, "cut_no_data": cut_no_data,
+        "cut_intersections": cut_intersections, "union": union, "cut_handles": cut_handles, "cut_no_data": cut_no_data,
         "base": None if base is None else f"{base[0]}:{base[1]}" if isinstance(base, tuple) else str(base),
         "bridges": [(int(a), int(b)) for a, b in bridges],
         "drawn_edges": [(int(a), int(b)) for a, b in drawn_edges], "stopped_edges": [int(v) for v in stopped_edges],

@@ -70,10 +70,12 @@ PrepareOptions prepare_options(const py::dict& options) {
   take_stitch(options["stitch"], prepare);
   const bool cut_intersections = option<bool>(options, "cut_intersections");
   const bool cut_handles = option<bool>(options, "cut_handles");
+  const bool unite = option<bool>(options, "union");
   if (option<bool>(options, "auto")) prepare.extent = PrepareOptions::Extent::where_needed;
-  if (option<bool>(options, "repair") || cut_intersections || cut_handles) prepare.repair = harmless_repairs;
+  if (option<bool>(options, "repair") || cut_intersections || cut_handles || unite) prepare.repair = harmless_repairs;
   if (cut_intersections) prepare.repair.insert(Defect::intersections);
   if (cut_handles) prepare.repair.insert(Defect::handles);
+  if (unite) prepare.repair.insert(Defect::overlaps);
   if (const auto base = option<std::optional<std::string>>(options, "base")) prepare.base = base_of(*base);
   if (option<bool>(options, "cut_no_data")) prepare.no_data = PrepareOptions::NoData::cut;
   prepare.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");

@@ -76,6 +76,12 @@ py::list faces_of(const std::vector<BadBoundaryFace>& faces) {
   return list;
 }
 
+py::dict union_figures(const UnionCounts& united) {
+  return py::dict("bodies"_a = united.bodies, "made"_a = united.made, "removed_faces"_a = united.removed_faces,
+                  "new_faces"_a = united.new_faces, "open_pieces"_a = united.open_pieces,
+                  "crossing_bodies"_a = united.crossing, "touching_pairs"_a = united.touching);
+}
+
 /// Only what was asked for: {"stitched": {...}, "repaired": {...}, "joined_again": N}.
 py::dict preparation(const FilledScan& done) {
   py::dict counts;
@@ -91,7 +97,8 @@ py::dict preparation(const FilledScan& done) {
                  "degenerate_faces"_a = repaired.degenerate_faces, "duplicate_faces"_a = repaired.duplicate_faces,
                  "intersecting_faces"_a = repaired.intersecting_faces, "cut_handles"_a = repaired.cut_handles,
                  "handle_faces"_a = repaired.handle_faces, "removed_pieces"_a = repaired.removed_pieces,
-                 "removed_faces"_a = repaired.removed_faces);
+                 "removed_faces"_a = repaired.removed_faces, "overlapping_bodies"_a = repaired.overlapping_bodies,
+                 "union"_a = union_figures(repaired.united));
   }
   if (done.prepared.base_loop > 0) counts["base_loop"] = done.prepared.base_loop;
   if (done.prepared.no_data_faces > 0) counts["no_data_faces"] = done.prepared.no_data_faces;

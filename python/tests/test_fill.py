@@ -228,6 +228,19 @@ def test_faces_that_cut_others_are_cut_out():
     assert loopmend.check(result.vertices, result.faces).intersecting_pairs == 0
 
 
+def test_closed_bodies_that_overlap_become_one():
+    vertices, faces = icosphere(3)
+    two = np.vstack([vertices, vertices + [1.0, 0, 0]]), np.vstack([faces, faces + len(vertices)])
+    result = loopmend.fill(*two, union=True)
+    united = result.prepared["repaired"]["union"]
+    assert united["bodies"] == 2 and united["made"] == 1 and united["open_pieces"] == 0
+    assert np.array_equal(result.vertices[:len(two[0])], two[0])
+    found = loopmend.check(result.vertices, result.faces)
+    assert found.ready_to_print and found.pieces == 1
+    height = 0.5
+    assert abs(found.volume - (8 * np.pi / 3 - 2 * np.pi * height**2 * (3 - height) / 3)) < 0.1
+
+
 def test_check_gives_the_volume_of_what_is_closed(sphere):
     assert loopmend.check(*sphere).volume is None
     assert loopmend.check(*sphere).open_boundaries == 1

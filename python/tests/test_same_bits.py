@@ -30,6 +30,7 @@ BALL_FILLS = [
     (["--trim-boundary", "3", "--flow", "mcf"], {"trim_boundary": 3, "flow": "mcf"}),
     (["--trim-crossing"], {"trim_crossing": True}),
     (["--cut-intersections", "--loops", "6"], {"cut_intersections": True, "loops": 6}),
+    (["--union", "--loops", "6"], {"union": True, "loops": 6}),
     (["--stitch", "--repair", "--loops", "6"], {"stitch": True, "repair": True, "loops": 6}),
     (["--patches-only"], {"patches_only": True}),
     (["--mirror"], {"mirror": True}),

@@ -99,6 +99,7 @@ class MendingTest : public QObject {
   void patches_are_exported_by_themselves();
   void what_is_new_is_labelled();
   void defects_are_listed_and_mended_one_by_one();
+  void overlapping_bodies_become_one();
   void preparing_does_what_the_command_line_does_with_auto();
   void fix_all_leaves_nothing_to_fix_data();
   void fix_all_leaves_nothing_to_fix();
@@ -210,7 +211,7 @@ void MendingTest::defects_are_listed_and_mended_one_by_one() {
   QVERIFY(dialog && has_counted(dialog));
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
   QCOMPARE(counted(dialog, "Duplicate"), QStringLiteral("1"));
-  QCOMPARE(counted(dialog, "Intersecting"), QStringLiteral("2"));
+  QCOMPARE(counted(dialog, "Intersecting"), QStringLiteral("1"));
   QCOMPARE(counted(dialog, "Crumbs"), QStringLiteral("none"));
   QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("fixCrumbs"))->isEnabled());
   fix(dialog, "fixDuplicate");
@@ -227,6 +228,30 @@ void MendingTest::defects_are_listed_and_mended_one_by_one() {
   window.undo().undo();
   QVERIFY(has_counted(dialog));
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
+  dialog->close();
+}
+
+void MendingTest::overlapping_bodies_become_one() {
+  TriangleSoup moved = make_icosphere(3);
+  for (Vec3& p : moved.points) p.x() += 1;
+  const TriangleSoup soup = joined({make_icosphere(3), moved});
+  const QString path = folder_.filePath(QStringLiteral("two_balls.ply"));
+  write_mesh(path.toStdString(), soup);
+  Shown shown({path});
+  MainWindow& window = shown.window;
+  RepairDialog* dialog = repair_dialog(window);
+  QVERIFY(dialog && has_counted(dialog));
+  QCOMPARE(counted(dialog, "Overlapping"), QStringLiteral("2"));
+  QCOMPARE(counted(dialog, "Intersecting"), QStringLiteral("none"));
+  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled());
+  fix(dialog, "fixOverlapping");
+  QVERIFY(wait_idle(window) && has_counted(dialog));
+  QCOMPARE(counted(dialog, "Overlapping"), QStringLiteral("none"));
+  QVERIFY(verdict_is_known(window));
+  QCOMPARE(verdict(window), QStringLiteral("Watertight, ready to print"));
+  window.undo().undo();
+  QVERIFY(has_counted(dialog));
+  QCOMPARE(counted(dialog, "Overlapping"), QStringLiteral("2"));
   dialog->close();
 }
 

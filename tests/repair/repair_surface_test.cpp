@@ -151,11 +151,15 @@ TEST(RepairSurface, ClosedBodiesThatOverlapStayClosed) {
   const RepairedSurface both = repair_surface(soup, {Defect::intersections});
   EXPECT_EQ(both.counts.intersecting_faces, 0u);
   EXPECT_EQ(both.soup.triangles, soup.triangles);
-  // With an open sheet through one of them, what cuts goes.
+  EXPECT_EQ(both.counts.overlapping_bodies, 2u);
+  // Of an open sheet through one of them, what cuts goes.
   TriangleSoup sheet = make_graph([](double, double) { return 0.1; }, 0.5, 8);
   for (Vec3& p : sheet.points) p.x() -= 1;
   const RepairedSurface cut_open = repair_surface(joined({soup, sheet}), {Defect::intersections});
   EXPECT_GT(cut_open.counts.intersecting_faces, 0u);
+  EXPECT_LT(cut_open.counts.intersecting_faces, sheet.triangles.size());
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+    ASSERT_EQ(cut_open.soup.triangles[f], soup.triangles[f]);  // both stay closed
 }
 
 TEST(RepairSurface, OnlyWhatIsNamedIsMended) {
@@ -169,16 +173,17 @@ TEST(RepairSurface, OnlyWhatIsNamedIsMended) {
 }
 
 TEST(RepairSurface, EachDefectIsCountedByItself) {
-  TriangleSoup open_ball = make_icosphere(2);  // closed bodies that overlap are no defect
-  open_ball.triangles.pop_back();
+  // Bodies that overlap are no defect.
+  const TriangleSoup open_ball = cut(make_icosphere(2), [](const Vec3& p) { return p.z() > 0.7; });
   TriangleSoup soup = joined({make_icosphere(2), open_ball});
   soup.triangles.push_back({3, 3, 4});
   soup.triangles.push_back(soup.triangles.front());
   const RepairCounts counts = count_defects(soup);
-  EXPECT_EQ(counts.joined_points, make_icosphere(2).points.size());
+  EXPECT_EQ(counts.joined_points, open_ball.points.size());
   EXPECT_EQ(counts.degenerate_faces, 1u);
   EXPECT_EQ(counts.duplicate_faces, 1u);
-  EXPECT_EQ(counts.intersecting_faces, 2 * make_icosphere(2).triangles.size() - 1);  // all but the one without a twin
+  EXPECT_EQ(counts.intersecting_faces,
+            open_ball.triangles.size() + 1);  // all of the open ball, and the face that is there twice
   EXPECT_EQ(counts.removed_pieces, 0u);
   EXPECT_FALSE(count_defects(make_icosphere(2)).any());
 }

@@ -323,6 +323,12 @@ def terrain():
     return grid(70, 70, place)
 
 
+def parts():
+    """A ball and two bars through it, each closed."""
+    ball = move(icosphere(4), lambda x, y, z: (30 * x, 30 * y, 30 * z))
+    return join(ball, box(9, (45, 9, 9)), box(9, (7, 42, 11)))
+
+
 def plates():
     """A bent plate that broke in two; between the parts is a gap."""
     def part(begin):
@@ -332,7 +338,8 @@ def plates():
 
 MODELS = {"pebble.ply": pebble_with_hole, "tiles.ply": tiles, "strays.ply": strays, "block.ply": block, "bust.ply": bust,
           "mask.ply": mask, "cup.ply": cup, "head.ply": owl, "stone.ply": stone, "island.ply": island, "crossing.ply": crossing,
-          "ragged.ply": ragged, "heights.ply": terrain, "plates.ply": plates, "vase.ply": vase}
+          "ragged.ply": ragged, "heights.ply": terrain, "plates.ply": plates, "vase.ply": vase,
+          "parts.ply": parts}
 
 
 # ---- pictures ----

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "repair/exact_union.h"
+
+#define CGAL_NO_DEPRECATION_WARNINGS 1
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+namespace loopmend {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Face = Mesh::Face_index;
+
+/// A mesh whose faces know the soup triangles that they are parts of, and whose vertices know their soup points; −1: new.
+struct Body {
+  Mesh mesh;
+  Mesh::Property_map<Face, int> face;
+  Mesh::Property_map<Vertex, int> point;
+
+  Body()
+      : face(mesh.add_property_map<Face, int>("f:soup", -1).first),
+        point(mesh.add_property_map<Vertex, int>("v:soup", -1).first) {}
+  Body(const Body& other)
+      : mesh(other.mesh),
+        face(mesh.property_map<Face, int>("f:soup").first),
+        point(mesh.property_map<Vertex, int>("v:soup").first) {}
+  Body& operator=(const Body&) = delete;
+};
+
+/// What a union is made of, in one place: CGAL orders the two by their addresses, and nothing must depend on chance.
+struct Operands {
+  Body a, b, united;
+};
+
+/// Tells new faces and copies of vertices which ones of the soup they are.
+class Origins : public PMP::Corefinement::Default_visitor<Mesh> {
+ public:
+  explicit Origins(Operands& operands) : operands_(&operands) {}
+  void before_subface_creations(Face face, Mesh& mesh) { divided_ = body(mesh).face[face]; }
+  void after_subface_created(Face face, Mesh& mesh) { body(mesh).face[face] = divided_; }
+  void after_face_copy(Face from, const Mesh& source, Face to, Mesh& target) {
+    body(target).face[to] = body(source).face[from];
+  }
+  void after_vertex_copy(Vertex from, const Mesh& source, Vertex to, Mesh& target) {
+    body(target).point[to] = body(source).point[from];
+  }
+
+ private:
+  Body& body(const Mesh& mesh) {
+    if (&mesh == &operands_->a.mesh) return operands_->a;
+    return &mesh == &operands_->b.mesh ? operands_->b : operands_->united;
+  }
+
+  Operands* operands_;
+  int divided_ = -1;
+};
+
+std::size_t count_components(Body& body) {
+  auto number = body.mesh.add_property_map<Face, std::size_t>("f:component", 0).first;
+  const std::size_t count = PMP::connected_components(body.mesh, number);
+  body.mesh.remove_property_map(number);
+  return count;
+}
+
+std::set<int> soup_faces(const Body& body) {
+  std::set<int> faces;
+  for (const Face f : body.mesh.faces()) faces.insert(body.face[f]);
+  return faces;
+}
+
+class Uniting {
+ public:
+  Uniting(const SurfaceModel& model, const std::vector<std::vector<int>>& bodies)
+      : model_(model),
+        faces_(bodies),
+        root_(bodies.size()),
+        bodies_(bodies.size()) {
+    std::iota(root_.begin(), root_.end(), 0);
+  }
+
+  ExactUnions run(const std::vector<std::pair<int, int>>& pairs, const CancelToken& cancel) {
+    ExactUnions result;
+    while (const auto next = smallest(pairs)) {
+      if (cancel.cancelled()) return {};
+      const auto [a, b] = *next;
+      if (!unite(a, b)) {
+        failed_.insert(*next);
+        continue;
+      }
+      for (int& root : root_)
+        if (root == b) root = a;
+      std::erase_if(failed_, [a, b](const auto& pair) {
+        return pair.first == a || pair.second == a || pair.first == b || pair.second == b;
+      });
+    }
+    result.only_touching.assign(failed_.begin(), failed_.end());
+    std::map<int, std::vector<int>> members;
+    for (std::size_t body = 0; body < root_.size(); ++body) members[root_[body]].push_back(static_cast<int>(body));
+    for (const auto& [root, all] : members)
+      if (all.size() > 1) result.made.push_back(result_of(*bodies_[root], all));
+    return result;
+  }
+
+ private:
+  /// Of the pairs that can still be united the one of fewest faces.
+  std::optional<std::pair<int, int>> smallest(const std::vector<std::pair<int, int>>& pairs) const {
+    std::optional<std::pair<int, int>> best;
+    std::size_t fewest = 0;
+    for (const auto& [first, second] : pairs) {
+      const std::pair<int, int> pair = std::minmax(root_[first], root_[second]);
+      if (pair.first == pair.second || failed_.contains(pair)) continue;
+      const std::size_t size = size_of(pair.first) + size_of(pair.second);
+      if (best && (size > fewest || (size == fewest && pair >= *best))) continue;
+      best = pair;
+      fewest = size;
+    }
+    return best;
+  }
+
+  std::size_t size_of(int body) const {
+    return bodies_[body] ? bodies_[body]->mesh.number_of_faces() : faces_[body].size();
+  }
+
+  std::unique_ptr<Body> make(int body) const {
+    auto made = std::make_unique<Body>();
+    std::unordered_map<int, Vertex> vertex_of;
+    for (int f : faces_[body]) {
+      std::array<Vertex, 3> corners;
+      std::size_t k = 0;
+      for (const auto v : model_.mesh.fv_range(model_.mesh.face_handle(static_cast<unsigned>(f)))) {
+        const auto [entry, is_new] = vertex_of.try_emplace(v.idx());
+        if (is_new) {
+          const int point = model_.soup_vertex[v.idx()];
+          const Vec3& p = model_.soup.points[point];
+          entry->second = made->mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z()));
+          made->point[entry->second] = point;
+        }
+        corners[k++] = entry->second;
+      }
+      made->face[made->mesh.add_face(corners[0], corners[1], corners[2])] = model_.soup_face[f];
+    }
+    return made;
+  }
+
+  /// The union takes the place of `a`. False, and nothing changes, where they only touch.
+  bool unite(int a, int b) {
+    if (!bodies_[a]) bodies_[a] = make(a);
+    if (!bodies_[b]) bodies_[b] = make(b);
+    const auto operands = std::make_unique<Operands>(Operands{*bodies_[a], *bodies_[b], {}});
+    const std::size_t components = count_components(operands->a) + count_components(operands->b);
+    std::set<int> before = soup_faces(operands->a);
+    before.merge(soup_faces(operands->b));
+    Body& united = operands->united;
+    if (!PMP::corefine_and_compute_union(operands->a.mesh, operands->b.mesh, united.mesh,
+                                         CGAL::parameters::visitor(Origins(*operands))))
+      return false;
+    if (count_components(united) >= components && soup_faces(united) == before) return false;
+    united.mesh.collect_garbage();
+    bodies_[a] = std::make_unique<Body>(united);
+    bodies_[b].reset();
+    return true;
+  }
+
+  /// The corners of faces, each from its least place on, by their places: CGAL's own order depends on chance.
+  static std::vector<std::array<Vertex, 3>> in_order(const Body& body, const std::vector<Face>& faces) {
+    const auto precedes = [&](Vertex v, Vertex w) { return body.mesh.point(v) < body.mesh.point(w); };
+    std::vector<std::array<Vertex, 3>> result;
+    for (const Face f : faces) {
+      std::array<Vertex, 3>& corners = result.emplace_back();
+      std::size_t k = 0;
+      for (const Vertex v : CGAL::vertices_around_face(body.mesh.halfedge(f), body.mesh)) corners.at(k++) = v;
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), precedes), corners.end());
+    }
+    std::sort(result.begin(), result.end(), [&](const auto& a, const auto& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), precedes);
+    });
+    return result;
+  }
+
+  ExactUnion result_of(const Body& body, const std::vector<int>& members) const {
+    ExactUnion result{members, {}, {}};
+    std::map<int, std::vector<Face>> by_face;
+    for (const Face f : body.mesh.faces()) by_face[body.face[f]].push_back(f);
+    std::map<Vertex, int> number;
+    const auto corner = [&](Vertex v) {
+      if (body.point[v] >= 0) return body.point[v];
+      const auto [entry, is_new] = number.try_emplace(v, -1 - static_cast<int>(result.points.size()));
+      if (is_new) {
+        const auto& exact = CGAL::exact(body.mesh.point(v));
+        result.points.emplace_back(CGAL::to_double(exact.x()), CGAL::to_double(exact.y()), CGAL::to_double(exact.z()));
+      }
+      return entry->second;
+    };
+    for (const auto& [face, parts] : by_face)
+      for (const std::array<Vertex, 3>& part : in_order(body, parts)) {
+        FaceOfUnion& made = result.faces.emplace_back(FaceOfUnion{face, {}});
+        std::transform(part.begin(), part.end(), made.corners.begin(), corner);
+      }
+    return result;
+  }
+
+  const SurfaceModel& model_;
+  const std::vector<std::vector<int>>& faces_;
+  std::vector<int> root_;  ///< of each body the least that it is one with
+  std::vector<std::unique_ptr<Body>> bodies_;
+  std::set<std::pair<int, int>> failed_;  ///< pairs of roots
+};
+
+}  // namespace
+
+ExactUnions unite_exactly(const SurfaceModel& model, const std::vector<std::vector<int>>& bodies,
+                          const std::vector<std::pair<int, int>>& pairs, const CancelToken& cancel) {
+  return Uniting(model, bodies).run(pairs, cancel);
+}
+
+}  // namespace loopmend

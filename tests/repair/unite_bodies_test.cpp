@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "repair/unite_bodies.h"
+
+#include "mesh/boundary_loops.h"
+#include "mesh/scan_attributes.h"
+#include "mesh/self_intersections.h"
+#include "mesh/surface_model.h"
+#include "mesh/watertight.h"
+#include "repair/repair_surface.h"
+#include "samples/analytic_surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <utility>
+
+namespace loopmend {
+namespace {
+
+TriangleSoup box(const Vec3& low, const Vec3& high) {
+  TriangleSoup soup;
+  for (int k = 0; k < 8; ++k)
+    soup.points.emplace_back((k & 1 ? high : low).x(), (k & 2 ? high : low).y(), (k & 4 ? high : low).z());
+  for (const std::array<int, 4>& q : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                                      std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+    soup.triangles.push_back({q[0], q[1], q[2]});
+    soup.triangles.push_back({q[0], q[2], q[3]});
+  }
+  return soup;
+}
+
+TriangleSoup ball(const Vec3& center, double radius = 1, int level = 3) {
+  TriangleSoup soup = make_icosphere(level);
+  for (Vec3& p : soup.points) p = radius * p + center;
+  return soup;
+}
+
+TriangleSoup inward(TriangleSoup soup) {
+  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+  return soup;
+}
+
+double volume_of(const TriangleSoup& soup) { return watertightness(soup).volume; }
+
+/// One closed body without intersections, and the same again when it is united once more.
+void expect_sound(const TriangleSoup& soup) {
+  const Watertightness found = watertightness(soup);
+  EXPECT_TRUE(found.printable()) << found.open_edges << " open, " << found.intersections << " intersections";
+  EXPECT_TRUE(find_boundary_loops(make_surface_model(soup)).empty());
+  const UnitedSurface again = unite_bodies(soup);
+  EXPECT_EQ(again.counts.bodies, 0U);
+  EXPECT_EQ(again.soup.points, soup.points);
+  EXPECT_EQ(again.soup.triangles, soup.triangles);
+}
+
+TEST(UniteBodies, TwoCubesThatOverlapInACorner) {
+  const TriangleSoup soup = joined({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5})});
+  const UnitedSurface united = unite_bodies(soup);
+  EXPECT_EQ(united.counts.bodies, 2U);
+  EXPECT_EQ(united.counts.made, 1U);
+  EXPECT_DOUBLE_EQ(volume_of(united.soup), 2 - 0.125);
+  expect_sound(united.soup);
+  // The three far sides of each stay, 12 faces; the vertices keep their numbers, and six come where edges pierce faces.
+  for (std::size_t v = 0; v < soup.points.size(); ++v) ASSERT_EQ(united.soup.points[v], soup.points[v]);
+  EXPECT_EQ(united.soup.points.size(), soup.points.size() + 6);
+  const std::size_t kept = united.soup.triangles.size() - united.counts.new_faces;
+  EXPECT_EQ(kept, 12U);
+  EXPECT_EQ(united.counts.removed_faces, 12U);
+  auto next = soup.triangles.begin();
+  for (std::size_t f = 0; f < kept; ++f) {  // in their order
+    next = std::find(next, soup.triangles.end(), united.soup.triangles[f]);
+    ASSERT_NE(next, soup.triangles.end()) << f;
+  }
+}
+
+TEST(UniteBodies, ThreeBallsInARow) {
+  const TriangleSoup a = ball({0, 0, 0}), b = ball({1.5, 0.1, 0.2}), c = ball({3, 0.3, 0.1});
+  const auto united = [](const std::vector<TriangleSoup>& bodies) { return unite_bodies(joined(bodies)); };
+  const UnitedSurface row = united({a, b, c});
+  EXPECT_EQ(row.counts.bodies, 3U);
+  EXPECT_EQ(row.counts.made, 1U);
+  expect_sound(row.soup);
+  // The outer ones do not meet.
+  EXPECT_NEAR(volume_of(row.soup), volume_of(united({a, b}).soup) + volume_of(united({b, c}).soup) - volume_of(b),
+              1e-12);
+  // Two lenses less than three balls, up to the faces' distance from the sphere.
+  const auto lens = [](double distance) {
+    const double height = 1 - distance / 2;
+    return 2 * M_PI * height * height * (3 - height) / 3;
+  };
+  const double ball_volume = 4 * M_PI / 3;
+  EXPECT_NEAR(volume_of(row.soup),
+              3 * ball_volume - lens(Vec3(1.5, 0.1, 0.2).norm()) - lens(Vec3(1.5, 0.2, -0.1).norm()), 0.15);
+  const UnitedSurface two_rows = united({a, ball({0, 9, 0}), ball({1, 9, 0}), b, ball({0, 0, 9})});
+  EXPECT_EQ(two_rows.counts.bodies, 4U);
+  EXPECT_EQ(two_rows.counts.made, 2U);
+}
+
+TEST(UniteBodies, OneWithinAnotherGoes) {
+  const TriangleSoup outer = ball({0, 0, 0});
+  const UnitedSurface united = unite_bodies(joined({ball({0.2, 0, 0}, 0.3), outer, ball({0.1, 0.1, 0}, 0.3)}));
+  EXPECT_EQ(united.counts.bodies, 3U);
+  EXPECT_EQ(united.counts.new_faces, 0U);
+  EXPECT_DOUBLE_EQ(volume_of(united.soup), volume_of(outer));
+  EXPECT_EQ(united.soup.triangles.size(), outer.triangles.size());
+  expect_sound(united.soup);
+}
+
+TEST(UniteBodies, CavitiesStayButForWhatAnotherBodyTakes) {
+  const TriangleSoup hollow = joined({box({0, 0, 0}, {4, 4, 4}), inward(box({1, 1, 1}, {3, 3, 3}))});
+  const UnitedSurface alone = unite_bodies(hollow);
+  EXPECT_EQ(alone.counts.bodies, 0U);
+  EXPECT_EQ(alone.soup.triangles, hollow.triangles);
+  // A body in the cavity overlaps nothing.
+  const UnitedSurface nested = unite_bodies(joined({hollow, box({1.5, 1.5, 1.5}, {2.5, 2.5, 2.5})}));
+  EXPECT_EQ(nested.counts.bodies, 0U);
+  EXPECT_DOUBLE_EQ(volume_of(nested.soup), 64 - 8 + 1);
+  // One that leans against a wall of it, and one that goes through.
+  const UnitedSurface leaning = unite_bodies(joined({hollow, box({0.5, 1.5, 1.5}, {2, 2.5, 2.5})}));
+  EXPECT_DOUBLE_EQ(volume_of(leaning.soup), 64 - 8 + 1);
+  expect_sound(leaning.soup);
+  const UnitedSurface pierced = unite_bodies(joined({box({-1, 1.5, 1.5}, {5, 2.5, 2.5}), hollow}));
+  EXPECT_DOUBLE_EQ(volume_of(pierced.soup), 64 - 8 + 2 + 2);
+  expect_sound(pierced.soup);
+  // The other body beside: outer shells are cut, the cavity is not.
+  const UnitedSurface beside = unite_bodies(joined({hollow, box({3.5, 1, 1}, {5, 2, 2})}));
+  EXPECT_DOUBLE_EQ(volume_of(beside.soup), 64 - 8 + 1);
+  expect_sound(beside.soup);
+}
+
+TEST(UniteBodies, BodiesThatShareAFaceBecomeOne) {
+  const UnitedSurface whole = unite_bodies(joined({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})}));
+  EXPECT_EQ(whole.counts.made, 1U);
+  EXPECT_DOUBLE_EQ(volume_of(whole.soup), 2);
+  expect_sound(whole.soup);
+  const UnitedSurface part = unite_bodies(joined({box({0, 0, 0}, {1, 1, 1}), box({1, 0.25, 0.25}, {2, 0.5, 0.5})}));
+  EXPECT_EQ(part.counts.made, 1U);
+  EXPECT_DOUBLE_EQ(volume_of(part.soup), 1 + 1.0 / 16);
+  expect_sound(part.soup);
+  const UnitedSurface same = unite_bodies(joined({ball({0, 0, 0}), ball({0, 0, 0})}));
+  EXPECT_EQ(same.counts.bodies, 2U);
+  EXPECT_DOUBLE_EQ(volume_of(same.soup), volume_of(ball({0, 0, 0})));
+}
+
+TEST(UniteBodies, BodiesThatTouchAtAnEdgeOrAPointStayApart) {
+  const TriangleSoup edge = joined({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0.25}, {2, 2, 0.5})});
+  const UnitedSurface at_edge = unite_bodies(edge);
+  EXPECT_EQ(at_edge.counts.bodies, 0U);
+  EXPECT_EQ(at_edge.counts.touching, 1U);
+  EXPECT_EQ(at_edge.soup.triangles, edge.triangles);
+  TriangleSoup point = joined({box({0, 0, 0}, {1, 1, 1}), make_icosphere(0)});
+  const Vec3 tip = point.points[8];
+  for (std::size_t v = 8; v < point.points.size(); ++v) point.points[v] = (point.points[v] - tip) * 0.3;
+  // Its tip lies within a side of the cube, and all else beyond.
+  Vec3 middle = Vec3::Zero();
+  for (std::size_t v = 8; v < point.points.size(); ++v) middle += point.points[v] / 12;
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(middle, Vec3(1, 0, 0));
+  for (std::size_t v = 8; v < point.points.size(); ++v) point.points[v] = turn * point.points[v] + Vec3(1, 0.4, 0.3);
+  const UnitedSurface at_point = unite_bodies(point);
+  EXPECT_EQ(at_point.counts.bodies, 0U);
+  EXPECT_EQ(at_point.counts.touching, 1U);
+  EXPECT_EQ(at_point.soup.triangles, point.triangles);
+}
+
+TEST(UniteBodies, WhatIsOpenOrCrossesItselfIsLeft) {
+  const TriangleSoup open = cut(ball({1.2, 0, 0}), [](const Vec3& p) { return p.x() > 2; });
+  TriangleSoup spiked = ball({-1.2, 0, 0});
+  auto top = std::max_element(spiked.points.begin(), spiked.points.end(),
+                              [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  *top = Vec3(-1.18, 0.03, -1.4);
+  const TriangleSoup soup = joined({ball({0, 0, 0}), open, spiked, ball({0, 1, 0})});
+  const UnitedSurface united = unite_bodies(soup);
+  EXPECT_EQ(united.counts.bodies, 2U);  // the two sound ones
+  EXPECT_EQ(united.counts.made, 1U);
+  EXPECT_EQ(united.counts.open_pieces, 1U);
+  EXPECT_EQ(united.counts.crossing, 1U);
+  const std::set<Triangle> after(united.soup.triangles.begin(), united.soup.triangles.end());
+  const auto first = static_cast<int>(ball({0, 0, 0}).points.size());
+  const auto last = first + static_cast<int>(open.points.size() + spiked.points.size());
+  for (const Triangle& t : soup.triangles)
+    if (t[0] >= first && t[0] < last) {
+      ASSERT_TRUE(after.contains(t));
+    }
+}
+
+TEST(UniteBodies, DoesNotDependOnWhereItRuns) {
+  const TriangleSoup soup = joined(
+      {ball({0, 0, 0}), ball({0.7, 0.1, 0}, 0.9), ball({0.2, 0.8, 0.1}, 0.7), box({-2, 0.1, 0.2}, {2, 0.3, 0.4})});
+  const UnitedSurface once = unite_bodies(soup);
+  const auto elsewhere = std::make_unique<std::array<char, 1234567>>();
+  const UnitedSurface again = unite_bodies(soup);
+  EXPECT_EQ(once.counts.made, 1U);
+  EXPECT_EQ(once.soup.points, again.soup.points);
+  EXPECT_EQ(once.soup.triangles, again.soup.triangles);
+  expect_sound(once.soup);
+}
+
+TEST(UniteBodies, ThroughRepairBodiesInsideOutAreTurnedFirst) {
+  const TriangleSoup soup = joined({inward(box({0, 0, 0}, {1, 1, 1})), box({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5})});
+  const RepairedSurface alone = repair_surface(soup, {Defect::overlaps});
+  EXPECT_EQ(alone.counts.turned_shells, 1U);
+  EXPECT_DOUBLE_EQ(volume_of(alone.soup), 2 - 0.125);
+  std::set<Defect> defects = harmless_repairs;
+  defects.insert({Defect::overlaps, Defect::intersections});
+  const RepairedSurface all = repair_surface(soup, defects);
+  EXPECT_EQ(all.soup.triangles, alone.soup.triangles);
+  EXPECT_EQ(all.counts.intersecting_faces + all.counts.overlapping_bodies, 0U);
+  EXPECT_TRUE(all.counts.any());
+  EXPECT_FALSE(repair_surface(all.soup, defects).counts.any());
+  EXPECT_EQ(count_defects(soup).overlapping_bodies, 2U);
+}
+
+/// Face colours, a smooth and a whole number of each vertex: linear over a part of a face, or its face's.
+TEST(UniteBodies, PartsHaveTheAttributesOfTheirFace) {
+  TriangleSoup soup = joined({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.25, 0.25}, {1.5, 0.75, 0.75})});
+  auto attributes = std::make_shared<ScanAttributes>();
+  attributes->format = "PLY";
+  attributes->points.emplace_back("height", ScalarType::float64);
+  attributes->points.emplace_back("body", ScalarType::uint8);
+  attributes->faces.emplace_back("number", ScalarType::int32);
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    const Vec3& p = soup.points[v];
+    attributes->points[0].push(p.x() + 2 * p.y() + 4 * p.z());
+    attributes->points[1].push(v < 8 ? 1 : 2);
+    soup.colors.push_back(
+        {static_cast<unsigned char>(100 * p.y()), v < 8 ? std::uint8_t{10} : std::uint8_t{20}, 30, 255});
+  }
+  FaceNames materials{"usemtl", {"first", "second"}, {}};
+  for (int f = 0; f < 24; ++f) {
+    attributes->faces[0].push(f);
+    materials.of_face.push_back(f < 12 ? 0 : 1);
+  }
+  attributes->names.push_back(materials);
+  attributes->point_count = soup.points.size();
+  attributes->triangle_count = soup.triangles.size();
+  soup.attributes = attributes;
+  const UnitedSurface united = unite_bodies(soup);
+  const TriangleSoup& after = united.soup;
+  EXPECT_DOUBLE_EQ(volume_of(after), 1 + 0.125);
+  ASSERT_EQ(after.colors.size(), after.points.size());
+  ASSERT_GT(united.counts.new_faces, 0U);
+  const ScanAttributes& made = *after.attributes;
+  EXPECT_EQ(made.triangle_count, 24 + united.counts.new_faces);
+  for (std::size_t v = 0; v < after.points.size(); ++v) {
+    const Vec3& p = after.points[v];
+    const auto row = static_cast<std::size_t>(point_row(after, v));
+    ASSERT_LT(row, made.point_count);
+    EXPECT_NEAR(made.points[0].value(row), p.x() + 2 * p.y() + 4 * p.z(), 1e-12);
+    EXPECT_TRUE(made.points[1].value(row) == 1 || made.points[1].value(row) == 2);
+    EXPECT_NEAR(after.colors[v][0], 100 * p.y(), 0.51);
+  }
+  for (std::size_t f = 0; f < after.triangles.size(); ++f) {
+    const auto row = static_cast<std::size_t>(triangle_row(after, f));
+    const auto number = static_cast<std::size_t>(made.faces[0].value(row));
+    EXPECT_EQ(made.names[0].of_face[row], number < 12 ? 0 : 1);
+    // Its normal is that of the face that it is a part of.
+    const auto normal = [](const TriangleSoup& of, std::size_t face) {
+      const Triangle& t = of.triangles[face];
+      return Vec3((of.points[t[1]] - of.points[t[0]]).cross(of.points[t[2]] - of.points[t[0]]).normalized());
+    };
+    EXPECT_NEAR((normal(after, f) - normal(soup, number)).norm(), 0, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace loopmend
