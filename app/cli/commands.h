@@ -31,7 +31,7 @@ inline constexpr std::size_t most_loops_in_full = 50;      ///< of more there is
 inline constexpr std::size_t largest_loops = 10;           ///< in a summary
 inline constexpr std::size_t most_loops_in_report = 1000;  ///< with all their figures, in JSON; of others the main ones
 
-/// Whether it is told if the surface could be printed.
+/// Whether the output says if the surface could be printed.
 enum class Check { no, printable };
 
 struct InfoCommand {

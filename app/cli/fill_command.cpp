@@ -94,10 +94,10 @@ struct Outcome {
   int wide_cracks = 0;      ///< left for --stitch
   int open_cuts = 0;        ///< loops along which the surface had to be cut, but which look like holes
   std::size_t apart = 0;    ///< bodies and pieces that --union left
-  int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left, though nobody asked for it
+  int no_hole = 0;          ///< cracks, and loops where the surface had to be cut: left without being asked for
   bool holes_left = false;  ///< some loop that could be filled was left as asked
 
-  /// Nothing was done, and nobody asked for that.
+  /// No loop could be filled.
   bool in_vain() const { return filled == 0 && failed == 0 && no_hole > 0 && !holes_left; }
   int exit_code() const {
     return failed + bad + unfinished + wide_cracks + open_cuts > 0 || apart > 0 || in_vain() ? exit_loops_failed

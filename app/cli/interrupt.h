@@ -24,7 +24,7 @@ void cancel_on_interrupt(const CancelToken& token);
 /// 128 + the signal that has cancelled the token, as a shell tells it; 0: none has.
 int interrupt_exit_code();
 
-/// True where standard output leads to a pipe that nobody reads any more, as behind `| head`: no fault worth a word. Not known on
+/// True where standard output leads to a closed pipe, as behind `| head`: no fault. Not known on
 /// Windows: false.
 bool reader_has_gone();
 

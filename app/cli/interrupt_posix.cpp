@@ -125,7 +125,7 @@ void handle_signals(const char* at_the_end) {
   open_closed_streams();
   handle_stops(leave);
   handle_crashes();
-  // A file that grows beyond `ulimit -f` then fails with an error that can be told, in place of a signal.
+  // A file that grows beyond `ulimit -f` then fails with an error that can be reported, in place of a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   // Who reads our words may stop: the files are made all the same.
   std::signal(SIGPIPE, SIG_IGN);

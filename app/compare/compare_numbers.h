@@ -20,7 +20,7 @@ class CompareNumbers : public QWidget {
  public:
   explicit CompareNumbers(const ComparisonController& flow_comparison, QWidget* parent = nullptr);
 
-  /// Everything anew.
+  /// Everything again.
   void update_all();
   void update_flow_run(int flow_run);
   /// What the right plot draws.

@@ -45,7 +45,7 @@ class FlowCanvas : public QWidget {
   void redraw();
   /// Now; for the clock.
   void draw();
-  /// Drawn anew at another size, device pixels. Null when the graphics cannot.
+  /// Drawn again at another size, device pixels. Null when the graphics cannot.
   QImage picture(const QSize& size, PictureOptions::Ground ground = PictureOptions::Ground::as_seen);
   QWidget* canvas() const;
   /// For tests and measurements: how many pictures were drawn so far, how many of them kept the neighborhood for the

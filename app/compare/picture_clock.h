@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One clock for several pictures in one window: those that want to be drawn anew are drawn one after the other, so that
+// One clock for several pictures in one window: those that want to be drawn again are drawn one after the other, so that
 // the window is put together once for all of them, and none waits longer than another.
 #pragma once
 

@@ -128,7 +128,7 @@ void RepairDialog::build() {
   buttons->addButton(all_, QDialogButtonBox::ActionRole);
   all_->setDefault(true);
   connect(all_, &QPushButton::clicked, this, [this] {
-    std::set<Defect> all;  // also those of which none was found: mending one may make another
+    std::set<Defect> all;  // also those of which none was found: repairing one may make another
     for (const auto& [defect, row] : rows_)
       if (is_defect_for_sure(defect)) all.insert(defect);
     controller_.repair(all);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with the scans, defect by defect, each with its count and a button that mends it.
+// What is wrong with the scans, defect by defect, each with its count and a button that repairs it.
 #pragma once
 
 #include "document/document.h"
@@ -30,7 +30,7 @@ class RepairDialog : public QDialog {
     std::size_t found = 0;
   };
   void build();
-  /// Counts anew, off the window's thread.
+  /// Counts again, off the window's thread.
   void count();
   void show_counts(const RepairCounts& counts);
   void update_buttons();

@@ -108,7 +108,7 @@ class Document : public QObject {
   void set_mirror_plane(int scan, const std::optional<MirrorPlane>& plane);
 
   int next_patch_id() { return next_id_++; }
-  /// Patches by these ids go, those in `now` come or are shown anew.
+  /// Patches by these ids go, those in `now` come or are shown again.
   void replace(const std::vector<int>& gone, const std::vector<OpenPatch>& now);
   /// New states by patch id. Says patch_moved() for each, and holes_changed() once if a state's name or words changed.
   void set_states(const std::map<int, PatchStatePtr>& states);

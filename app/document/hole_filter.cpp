@@ -11,7 +11,7 @@ namespace loopmend {
 
 HoleFilter::HoleFilter(const Document& document, QObject* parent) : QSortFilterProxyModel(parent), document_(document) {
   setSortRole(HoleTable::sort_role);
-  // Rows leave a group while a flow runs; to sort and filter anew at every state would make the table jump.
+  // Rows leave a group while a flow runs; to sort and filter again at every state would make the table jump.
   setDynamicSortFilter(false);
   connect(&document, &Document::holes_changed, this, [this] {
     if (group_ != HoleGroup::all) invalidateFilter();

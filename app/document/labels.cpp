@@ -309,7 +309,7 @@ QString holes(const Document& document, const std::set<int>& loops) {
 
 QString import_summary(const OpenedScan& scan) {
   const ImportReport& in = scan.import;
-  const ModelRepairs& mended = scan.model->repairs;
+  const ModelRepairs& repairs = scan.model->repairs;
   const auto counted = [](std::size_t n, const char* words) { return tr(words, static_cast<int>(n)).arg(count(n)); };
   QString text = tr("%1: %2, %3, %4.")
                      .arg(scan.name, counted(in.triangles, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 triangles")),
@@ -320,11 +320,11 @@ QString import_summary(const OpenedScan& scan) {
     if (n > 0) notes << counted(n, words);
   };
   note(in.polygons_triangulated, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 polygons cut into triangles"));
-  note(mended.reoriented_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 faces turned round"));
-  note(mended.degenerate_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 degenerate faces left aside"));
-  note(mended.duplicate_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 duplicate faces left aside"));
-  note(mended.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "cut along %1 non-manifold edges"));
-  note(mended.non_manifold_vertices, QT_TRANSLATE_N_NOOP("loopmend::labels", "split at %1 non-manifold vertices"));
+  note(repairs.reoriented_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 faces turned round"));
+  note(repairs.degenerate_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 degenerate faces left aside"));
+  note(repairs.duplicate_faces, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 duplicate faces left aside"));
+  note(repairs.non_manifold_edges, QT_TRANSLATE_N_NOOP("loopmend::labels", "cut along %1 non-manifold edges"));
+  note(repairs.non_manifold_vertices, QT_TRANSLATE_N_NOOP("loopmend::labels", "split at %1 non-manifold vertices"));
   note(in.vertices_joined, QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 touching boundary vertices joined"));
   note(in.near_vertices_joined,
        QT_TRANSLATE_N_NOOP("loopmend::labels", "%1 vertices joined along cracks no wider than rounding"));

@@ -59,7 +59,7 @@ QString boundary_help(const BoundarySummary& boundary);
 /// "hole 3", "holes 1, 2 and 5", "12 holes".
 QString holes(const Document& document, const std::set<int>& loops);
 
-/// What the reader met and mended, in one or two sentences; the first gives the counts.
+/// What the reader found and repaired, in one or two sentences; the first gives the counts.
 QString import_summary(const OpenedScan& scan);
 
 /// "Watertight, ready to print", or what stands against it, most important first.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the lengths of a scan are measured in, by the words of 3MF; empty: not known. Loopmend never converts: it is told, shown
+// What the lengths of a scan are measured in, by the words of 3MF; empty: not known. Loopmend never converts: it is read, shown
 // and written.
 #pragma once
 

@@ -28,7 +28,7 @@ struct OpenedScan {
   ScanOrigin from = ScanOrigin::file;
   QString name;  ///< as shown
   QString
-      mended;  ///< the file whose scan this one is, trimmed, stitched, repaired or bridged; empty where there is none
+      repaired_from;  ///< the file whose scan this one is, trimmed, stitched, repaired or bridged; empty where there is none
   KeptFilePtr kept;  ///< where it came out of a session that holds it; `path` may then be of a file that is gone
   ImportReport import;
   std::shared_ptr<const SurfaceModel> model;

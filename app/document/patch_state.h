@@ -74,7 +74,7 @@ struct PatchState : PatchResult {
   std::shared_ptr<const SurfaceShape> shape;
   PatchRecipe recipe;                                 ///< `steps` counts from the initial patch on
   StepRecord last_step;                               ///< meaningful when steps > 0
-  std::shared_ptr<const BoundaryKnowledge> boundary;  ///< the same for all states of a patch; null where nobody asked
+  std::shared_ptr<const BoundaryKnowledge> boundary;  ///< the same for all states of a patch; null: not asked for
 };
 using PatchStatePtr = std::shared_ptr<const PatchState>;
 

@@ -40,7 +40,7 @@ Autosave::~Autosave() {
 void Autosave::set_delay(int seconds) { timer_.setInterval(seconds * 1000); }
 
 void Autosave::change_soon() {
-  // Not started anew by each change: a flow that runs for an hour is saved on the way.
+  // Not started again by each change: a flow that runs for an hour is saved on the way.
   if (!timer_.isActive() && document_.has_scan()) timer_.start();
 }
 

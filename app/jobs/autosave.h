@@ -37,7 +37,7 @@ class Autosave : public QObject {
   /// Copies whose program is gone; they stay where they are until discard().
   static std::vector<Leftover> leftovers();
   static void discard(const Leftover& leftover);
-  /// What is open now came from this copy: once it is written anew, that one goes.
+  /// What is open now came from this copy: once it is written again, that one goes.
   void take_over(const Leftover& leftover);
   /// The window closes as it should: the copy is not needed any more.
   void finish();

@@ -203,7 +203,7 @@ void ComparisonController::measure() {
       });
 }
 
-/// One flow on its worker. Has its own copies of all it reads; the race is only told of what has come.
+/// One flow on its worker. Has its own copies of all it reads; the controller only hears of new states.
 class ComparisonController::FlowRun {
  public:
   FlowRun(ComparisonController* flow_comparison, int flow_run, EvolutionOptions base, std::shared_ptr<Post> post)
@@ -239,7 +239,7 @@ class ComparisonController::FlowRun {
     {
       const std::lock_guard lock(post_->mutex);
       post_->points[at_].push_back({record.step, energies});
-      if (post_->newest[at_]) return;  // the window has not taken the last one yet: nobody would see this one
+      if (post_->newest[at_]) return;  // the window has not taken the last one yet: this one would not be seen
     }
     auto state = seen(evolution.patch(), post_->edge, origin_);
     state->stage = ComparedRun::Stage::moving;

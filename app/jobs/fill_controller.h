@@ -35,7 +35,7 @@ enum class OpenMode {
 };
 
 /// What is done to a scan before it is filled, as by the options of `loopmend fill`.
-enum class Mending {
+enum class ScanRepair {
   trim,           ///< --trim-boundary 3: bad triangles at the boundaries of these holes are removed
   trim_crossing,  ///< --trim-crossing: there, only those that run through the surface
   stitch,         ///< --stitch: boundaries that nearly coincide are zipped, all over the scan
@@ -46,8 +46,8 @@ enum class Mending {
   part,           ///< what hangs at a boundary by a vertex alone becomes an island
 };
 
-struct MendedScan;
-struct MendingTask;
+struct RepairedScan;
+struct ScanRepairTask;
 
 /// How holes are filled.
 struct FillChoice {
@@ -97,7 +97,7 @@ class FillController : public QObject {
   void replace_scans(const std::vector<int>& gone, const OpenedScanPtr& come, const QString& text);
   /// Surfaces that were made, as another scene. Nothing of it counts as work.
   void open_made(const std::vector<OpenedScanPtr>& scans);
-  /// Where a scan of it is not found, scan_missing() is told and nothing changes.
+  /// Where a scan of it is not found, scan_missing() is emitted and nothing changes.
   void open_session(const SessionFile& session);
   void save_session(const QString& path, KeepScans keep = KeepScans::outside);
   /// All scans and patches as one mesh; the format follows the extension. Patches that cut are left out unless accepted.
@@ -108,10 +108,10 @@ class FillController : public QObject {
   /// Computes what fill() would do and shows it as a ghost. A later call replaces the earlier one.
   void preview_fill(const std::set<int>& loops, const FillChoice& choice);
   void drop_fill_preview();
-  /// Each scan that has one of these loops, or all scans where there are none, is replaced by a mended one without patches; can
-  /// be undone. Where there is nothing to mend, that is told.
-  void mend(Mending what, const std::set<int>& loops);
-  /// Mending::repair of these defects, in all scans.
+  /// Each scan that has one of these loops, or all scans where there are none, is replaced by a repaired one without patches; can
+  /// be undone. Where there is nothing to repair, a notice says so.
+  void repair_scans(ScanRepair what, const std::set<int>& loops);
+  /// ScanRepair::repair of these defects, in all scans.
   void repair(const std::set<Defect>& defects);
   /// A strip between the boundary edges that begin at these soup points of a scan; as with_bridge() of the engine.
   void bridge(int scan, int soup_a, int soup_b);
@@ -191,10 +191,10 @@ class FillController : public QObject {
   void report_failure(const QString& words);
   /// The job has failed.
   void give_up(const QString& text);
-  void run_mending(Mending what, std::vector<MendingTask> tasks, const std::optional<FillAndSmooth>& then = {});
-  void on_mended(const std::vector<MendedScan>& all, Mending what, const std::optional<FillAndSmooth>& then);
+  void run_repair(ScanRepair what, std::vector<ScanRepairTask> tasks, const std::optional<FillAndSmooth>& then = {});
+  void on_repaired(const std::vector<RepairedScan>& all, ScanRepair what, const std::optional<FillAndSmooth>& then);
   /// @returns its loops that are to be filled.
-  std::set<int> take_mended(const MendedScan& mended);
+  std::set<int> take_repaired(const RepairedScan& repaired);
   void keep_unit(const std::vector<int>& gone, int come);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);

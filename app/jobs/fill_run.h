@@ -38,7 +38,7 @@ struct FillTask {
   FillOptions options;
 };
 
-/// More holes than this appear when they are done: nobody can follow the steps of so many.
+/// More holes than this appear when they are done: the steps of so many cannot be followed.
 inline constexpr int most_live = 40;
 
 struct FillRun {

@@ -16,7 +16,7 @@ namespace loopmend {
 
 /// What a run has made of one patch.
 struct PatchRun {
-  PatchStatePtr first;               ///< before any flow; null where the document has it, or nobody asked
+  PatchStatePtr first;               ///< before any flow; null where the document has it, or it is not asked for
   std::vector<PatchStatePtr> steps;  ///< of the last attempt, from there on
 };
 using PatchRuns = std::map<std::set<int>, PatchRun>;  ///< by loops, as indices in the document

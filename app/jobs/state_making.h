@@ -22,7 +22,7 @@ std::shared_ptr<PatchState> first_state(const Patch& patch, const PatchRecipe& r
 std::shared_ptr<PatchState> with_result(const PatchState& from, const PatchResult& result, RunRecipe run,
                                         const Vec3& origin);
 
-/// The state with another patch in it: shape and seam are made anew.
+/// The state with another patch in it: shape and seam are made again.
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin);
 
 /// The state, marked as invalid where its patch is worse than `initial`, or cuts at all where there is none.

@@ -36,8 +36,8 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
   connect(&preview_timer_, &QTimer::timeout, this, &FillBox::preview_now);
   connect(whole_, &QPushButton::clicked, this, qOverload<>(&FillBox::fill_and_smooth));
   connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
-  connect(trim_, &QPushButton::clicked, this, [this] { mend(Mending::trim); });
-  connect(stitch_, &QPushButton::clicked, this, [this] { mend(Mending::stitch); });
+  connect(trim_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::trim); });
+  connect(stitch_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::stitch); });
   connect(repair_, &QPushButton::clicked, this, &FillBox::repair_wanted);
   connect(preview_, &QCheckBox::toggled, this, &FillBox::preview_now);
   connect(islands_, &QCheckBox::toggled, this, &FillBox::preview_soon);
@@ -101,9 +101,9 @@ void FillBox::build() {
   grid->addWidget(estimate_, 1, 0, 1, 3);
   grid->addWidget(whole_, 2, 0, 1, 3);
   grid->addWidget(fill_, 3, 0, 1, 3);
-  auto* mending = new QHBoxLayout;
-  for (QPushButton* button : {trim_, stitch_, repair_}) mending->addWidget(button);
-  grid->addLayout(mending, 4, 0, 1, 3);
+  auto* repairs = new QHBoxLayout;
+  for (QPushButton* button : {trim_, stitch_, repair_}) repairs->addWidget(button);
+  grid->addLayout(repairs, 4, 0, 1, 3);
   auto* more = new QWidget;
   auto* rest = new QGridLayout(more);
   rest->setContentsMargins(0, 0, 0, 0);
@@ -139,10 +139,10 @@ FillChoice FillBox::choice() const {
   return {density_->value(), islands_->isChecked() ? FillOptions::Islands::join : FillOptions::Islands::cover};
 }
 
-void FillBox::mend(Mending what) {
-  const bool of_holes = what == Mending::trim || what == Mending::trim_crossing;
+void FillBox::repair_scans(ScanRepair what) {
+  const bool of_holes = what == ScanRepair::trim || what == ScanRepair::trim_crossing;
   // The others concern whole scans, whatever is filled already.
-  controller_.mend(what, of_holes ? loops_to_fill(document_, selection_) : selection_.selected());
+  controller_.repair_scans(what, of_holes ? loops_to_fill(document_, selection_) : selection_.selected());
 }
 
 void FillBox::preview_soon() {

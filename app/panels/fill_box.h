@@ -18,7 +18,7 @@ class QuietLabel;
 class Document;
 class HoleSelection;
 class FillController;
-enum class Mending;
+enum class ScanRepair;
 struct FillChoice;
 
 class FillBox : public QGroupBox {
@@ -31,7 +31,7 @@ class FillBox : public QGroupBox {
   /// The whole job: fills what is open and takes it to the steady state; smooths where nothing is open.
   void fill_and_smooth();
   void fill();
-  void mend(Mending what);
+  void repair_scans(ScanRepair what);
   void fill_and_smooth(const std::set<int>& loops);
   void update_state();
   FillChoice choice() const;

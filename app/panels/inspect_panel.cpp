@@ -138,7 +138,7 @@ void InspectPanel::showEvent(QShowEvent* event) {
 }
 
 /// Room for the longest pair of numbers in each column, so that neither is cut off; the jumps with a unit share what is left.
-/// Not by their contents: these would be measured anew at every change of every row.
+/// Not by their contents: these would be measured again at every change of every row.
 void InspectPanel::set_seam_columns() {
   constexpr const char* longest[column_count] = {"0000",
                                                  "00.0 \u2192 0.000\u00b0",

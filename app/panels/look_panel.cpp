@@ -127,7 +127,7 @@ QWidget* LookPanel::build_colors() {
   map_->setObjectName(QStringLiteral("colorMap"));
   map_->setIconSize(QSize(72, 14));
   for (ColorMap map : all_color_maps) map_->addItem(map_icon(map), color_map_name(map), static_cast<int>(map));
-  explain(map_, tr("Colours"), tr("Every one of them can be told apart by every kind of colour vision"));
+  explain(map_, tr("Colours"), tr("Each is distinct for every kind of colour vision"));
   rule_ = new QComboBox;
   rule_->setObjectName(QStringLiteral("rangeRule"));
   rule_->addItem(tr("Percentile, all scans alike"), static_cast<int>(ColorRange::Rule::percentile));

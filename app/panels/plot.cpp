@@ -77,7 +77,7 @@ void Plot::set_axis(Side side, Scale scale) {
 
 void Plot::set_name(int graph, const QString& name) {
   plot_->graph(graph)->setName(name);
-  // All anew, so that they stand in the order of the graphs.
+  // All again, so that they stand in the order of the graphs.
   for (int g = 0; g < plot_->graphCount(); ++g) plot_->graph(g)->removeFromLegend();
   for (int g = 0; g < plot_->graphCount(); ++g)
     if (!plot_->graph(g)->name().isEmpty()) plot_->graph(g)->addToLegend();

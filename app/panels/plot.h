@@ -14,7 +14,7 @@ class QLabel;
 
 namespace loopmend {
 
-/// Told apart by every kind of colour vision, on light and on dark ground: 0 blue, 1 orange, 2 grey, 3 green.
+/// Distinct for every kind of colour vision, on light and on dark ground: 0 blue, 1 orange, 2 grey, 3 green.
 enum class PlotGround { light, dark };
 QColor plot_ink(int ink, PlotGround ground);
 

@@ -112,7 +112,7 @@ void ScenePanel::showEvent(QShowEvent* event) {
   rebuild();
 }
 
-/// Nobody sees it while another tab lies over it.
+/// Invisible while another tab lies over it.
 void ScenePanel::rebuild() {
   if (!isVisible()) return;
   {

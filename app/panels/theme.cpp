@@ -44,7 +44,7 @@ void apply_theme(Theme theme) {
   applied = theme;
   const QPalette chosen = theme == Theme::dark ? dark_palette() : theme == Theme::light ? light_palette() : system;
   QApplication::setPalette(chosen);
-  // The style draws a box in the ground's colour, which on dark ground nobody sees.
+  // The style draws a box in the ground's colour, which is invisible on dark ground.
   QPalette boxes = chosen;
   if (theme == Theme::dark) boxes.setColor(QPalette::Base, QColor(86, 92, 101));
   for (const char* kind : {"QCheckBox", "QRadioButton"}) QApplication::setPalette(boxes, kind);

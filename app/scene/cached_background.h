@@ -47,7 +47,7 @@ class CachedBackground : public vtkOpenGLRenderer {
     reduced_surface,  ///< drawn instead of large surfaces
     line,
   };
-  /// This prop stands still. To be called again when the prop comes anew; takes no part in its lifetime.
+  /// This prop stands still. To be called again when the prop comes again; takes no part in its lifetime.
   void add_still(vtkProp* prop, Part part);
   void remove_still(vtkProp* prop);
   /// The surfaces that stand still, or the ground behind them, look otherwise now.

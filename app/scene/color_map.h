@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Diverging colour maps, told apart by every kind of colour vision: lightness falls evenly on both sides of the middle.
+// Diverging colour maps, distinct for every kind of colour vision: lightness falls evenly on both sides of the middle.
 #pragma once
 
 #include <array>

@@ -63,7 +63,7 @@ class MeshScene {
   /// Everything is where it is going, and large scans are ready; for pictures that are kept.
   void arrive();
   /// Fits the camera's depths to what is there. They stay as they are while they do: what stands still is then not
-  /// drawn anew.
+  /// drawn again.
   void fit_depths();
 
   /// How often the scans were kept as a picture, to draw patches over them; for tests.

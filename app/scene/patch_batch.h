@@ -14,7 +14,7 @@ class PatchBatch {
   explicit PatchBatch(vtkLookupTable* table) : surface_(SurfaceActor::Role::patch, table) {}
 
   using Shapes = std::map<int, std::shared_ptr<const SurfaceShape>>;
-  /// Joins them anew where they are others than before.
+  /// Joins them again where they are others than before.
   void show(const Shapes& shapes);
   SurfaceActor& surface() { return surface_; }
 

@@ -17,7 +17,7 @@ class PartTool : public QObject, public ViewTool {
  public:
   explicit PartTool(const Document& document, QObject* parent = nullptr);
 
-  /// Which scan the handle holds; −1: none. The placement begins anew.
+  /// Which scan the handle holds; −1: none. The placement begins again.
   void set_scan(int scan);
   int scan() const { return scan_; }
   /// In the scene's frame; identity while nothing was moved.

@@ -20,7 +20,7 @@ void ScreenPoints::set_points(std::vector<float> xyz, std::vector<char> unseen) 
   seen_from_.setZero();
 }
 
-/// Anew only when the eye has moved.
+/// Again only when the eye has moved.
 void ScreenPoints::project(const ViewSpace& space) {
   if (seen_from_ == space.to_clip && width_ == space.width && height_ == space.height) return;
   seen_from_ = space.to_clip;

@@ -109,7 +109,7 @@ void FileController::ask_open(OpenMode mode) {
 QString FileController::proposal(const QString& ending) const {
   const OpenedScan& first = document_.first_scan();
   const QFileInfo scan(first.from == ScanOrigin::file     ? first.path
-                       : !first.mended.isEmpty()          ? first.mended
+                       : !first.repaired_from.isEmpty()   ? first.repaired_from
                        : first.from == ScanOrigin::sample ? QStringLiteral("sample.ply")
                                                           : QStringLiteral("surface.ply"));
   return scan.dir().filePath(scan.completeBaseName() + ending);

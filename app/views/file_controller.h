@@ -44,7 +44,7 @@ class FileController : public QObject {
   bool may_close();
   /// Tells of work that another run left behind.
   void offer_recovery();
-  /// The same where nobody has answered yet: a scan that was opened took its place.
+  /// The same while it is unanswered: a scan that was opened took its place.
   void offer_recovery_again();
   /// Its result is asked for as well before the window closes. @param problem  must outlive this
   void ask_for_results_of(const ProblemController& problem) { problem_ = &problem; }

@@ -217,7 +217,7 @@ void MainWindow::connect_controller() {
   connect(&controller_, &FillController::session_saved, this, &MainWindow::update_title);
 }
 
-/// Between the steps of a flow memory is kept; after undo or close it goes back, as soon as nobody waits.
+/// Between the steps of a flow memory is kept; after undo or close it goes back, as soon as no work waits.
 void MainWindow::connect_leisure() {
   constexpr int leisure_ms = 1500;
   auto* leisure = new QTimer(this);

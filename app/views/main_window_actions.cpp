@@ -118,13 +118,13 @@ void MainWindow::connect_patch_actions() {
   const WindowActions& a = *actions_;
   a.on("fillAction", &patch_->fill_box(), [box = &patch_->fill_box()] { box->fill_and_smooth(); });
   a.on("initialAction", &patch_->fill_box(), &FillBox::fill);
-  for (const auto& [name, what] : {std::pair{"trimAction", Mending::trim},
-                                   {"trimCrossingAction", Mending::trim_crossing},
-                                   {"stitchAction", Mending::stitch},
-                                   {"prepareAction", Mending::prepare}})
-    a.on(name, this, [this, mending = what] { patch_->fill_box().mend(mending); });
-  a.on("eraseRingAction", this, [this] { controller_.mend(Mending::erase, selection_.selected()); });
-  a.on("partAction", this, [this] { controller_.mend(Mending::part, selection_.selected()); });
+  for (const auto& [name, what] : {std::pair{"trimAction", ScanRepair::trim},
+                                   {"trimCrossingAction", ScanRepair::trim_crossing},
+                                   {"stitchAction", ScanRepair::stitch},
+                                   {"prepareAction", ScanRepair::prepare}})
+    a.on(name, this, [this, repair = what] { patch_->fill_box().repair_scans(repair); });
+  a.on("eraseRingAction", this, [this] { controller_.repair_scans(ScanRepair::erase, selection_.selected()); });
+  a.on("partAction", this, [this] { controller_.repair_scans(ScanRepair::part, selection_.selected()); });
   a.on("repairAction", this, &MainWindow::show_repair_dialog);
   connect(&patch_->fill_box(), &FillBox::repair_wanted, this, &MainWindow::show_repair_dialog);
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);

@@ -161,7 +161,7 @@ void MeshView::follow_document() {
 QWidget* MeshView::canvas() const { return impl_->canvas; }
 
 void MeshView::redraw() {
-  // Not started anew by each wish: a flow that moves faster than the graphics would never be seen.
+  // Not started again by each wish: a flow that moves faster than the graphics would never be seen.
   const QTimer& timer = impl_->redraw_timer;
   if (!timer.isActive() || timer.remainingTime() > impl_->pause_ms) impl_->redraw_timer.start(impl_->pause_ms);
 }
@@ -276,10 +276,10 @@ int MeshView::legend_scan() const {
 void MeshView::update_legend_words() {
   const QString symbol = labels::unit_symbol(impl_->document.unit());
   if (impl_->look.shading == Shading::deviation) {
-    impl_->scene.set_legend_words({tr("Likely error").toStdString(),
-                                   (symbol.isEmpty() ? tr("in the file's units") : tr("in %1").arg(symbol)).toStdString(),
-                                   tr("far from what was there").toStdString(), tr("near").toStdString(),
-                                   QLocale().decimalPoint().toLatin1()});
+    impl_->scene.set_legend_words(
+        {tr("Likely error").toStdString(),
+         (symbol.isEmpty() ? tr("in the file's units") : tr("in %1").arg(symbol)).toStdString(),
+         tr("far from what was there").toStdString(), tr("near").toStdString(), QLocale().decimalPoint().toLatin1()});
     return;
   }
   LegendWords words;

@@ -89,7 +89,7 @@ class MeshView : public QWidget {
 
   /// As seen, without overlay, in device pixels.
   QImage picture() const;
-  /// Drawn anew at another size. Null when the graphics cannot draw that much.
+  /// Drawn again at another size. Null when the graphics cannot draw that much.
   QImage picture(const PictureOptions& options);
   /// Whether large scans are still reduced in it, or as they were before: pictures will follow.
   bool is_rough() const;
@@ -153,7 +153,7 @@ class MeshView : public QWidget {
   void move_by_key(int key, Qt::KeyboardModifiers modifiers);
   int loop_at(const QPoint& at);
   void face_front();
-  /// Frames again what nobody has turned since: the room for it is another.
+  /// Frames the scene again unless it was turned since: the room for it is another.
   void frame_if_untouched();
   void redraw();
   void redraw_at_leisure();

@@ -160,7 +160,7 @@ void ViewOverlay::paint_probe(QPainter& painter) const {
 }
 
 void ViewOverlay::paint_highlight(QPainter& painter) const {
-  // Round joins take half of the time of a long loop, whose corners nobody sees.
+  // Round joins take half of the time of a long loop, whose corners are invisible.
   constexpr int few_corners = 60;
   const Qt::PenJoinStyle join = loop_.size() > few_corners ? Qt::BevelJoin : Qt::RoundJoin;
   const auto stroke = [&](const QColor& color, double width) {

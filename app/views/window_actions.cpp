@@ -148,7 +148,7 @@ const Spec specs[] = {
     {"stitchAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Stitc&h cracks"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Zip boundaries that nearly coincide"), "", nullptr},
     {"repairAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Repai&r\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See what is wrong with the scan, and mend it"), "", nullptr},
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the defects of the scan, and repair them"), "", nullptr},
     {"stepAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Step"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take one time step"), "S", nullptr},
     {"runAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Run or pause"),

@@ -8,7 +8,7 @@ namespace loopmend {
 
 /// For programs, once at their start; the engine itself does not touch such things. What is freed is kept, up to 256 MB, for
 /// what is asked for next: each step of a flow needs the same blocks again, and to give them back to the system and get
-/// them anew, page by page, takes a fifth of its time at some thousand vertices. Does nothing where the C library is not
+/// them again, page by page, takes a fifth of its time at some thousand vertices. Does nothing where the C library is not
 /// glibc.
 void keep_freed_memory();
 

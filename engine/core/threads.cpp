@@ -17,7 +17,7 @@
 #include <vector>
 
 #ifdef LOOPMEND_THREAD_SANITIZER
-// The thread sanitizer cannot look into oneTBB, and does not look into this file (CMakeLists.txt): so it is told here what is
+// The thread sanitizer cannot look into oneTBB, and does not look into this file (CMakeLists.txt): so this file states what is
 // handed from thread to thread.
 extern "C" void __tsan_acquire(void* at);
 extern "C" void __tsan_release(void* at);

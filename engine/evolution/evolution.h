@@ -30,7 +30,7 @@ enum class EvolutionMode {
 /// What may become of the patch's triangles on the way to the steady state of MMCVF. A flow flips edges in any case.
 enum class PatchTriangles {
   free,   ///< a patch that grows is remeshed
-  kept,   ///< vertices neither come nor go, but to mend folds
+  kept,   ///< vertices neither come nor go, but to repair folds
   fixed,  ///< and fairings in a rough neighborhood leave the edges as they are
 };
 
@@ -109,7 +109,7 @@ std::string method_name(Method method, FlowKind flow);
 
 /// One accepted step. Energy in mesh units: MMCVF ∫‖∇H‖² dA (1/length²), WF ∫H² dA (1), SDF and MCF area (length²).
 /// With bending blended in, what falls is the blend; the energy shown is still ∫‖∇H‖² dA alone, and may rise a little.
-/// Near a smooth steady state the fits go over from quadratics to cubics, and the energy is measured anew by these.
+/// Near a smooth steady state the fits go over from quadratics to cubics, and the energy is measured again by these.
 /// Linear fairings, and the coarse start of a large patch, are steps with sigma = tau = 0; the latter's max_move is that of
 /// the middle of the patch. In a rough neighborhood all steps are such, and the energy shown need not fall.
 struct StepRecord {

@@ -28,7 +28,7 @@ struct EvolvingPatch {
   /// Another mesh in place of the present one, unless it folds more or its energy is above the limit.
   bool replace_if_good(Patch patch, double limit);
   /// Mesh improvement while the surface still moves: near convergence the mesh must stand still. The energy stays within the
-  /// limit, except where a folded patch is mended.
+  /// limit, except where a folded patch is repaired.
   void improve_mesh(double limit);
   /// Whether most fits succeed, or there is no curvature that a flow could follow. Stops with a message if not.
   bool require_fits();

@@ -36,7 +36,7 @@ struct EvolutionState {
 /// Patch frame: MMCVF ∫‖∇H‖² + bending ∫H², WF ∫H², MCF area; SDF has none, and takes ∫(ΔH)².
 double measure_of(const Objective& objective, const Patch& patch, const OperatorSet& ops);
 
-/// @param topology  of the patch; made anew when null.
+/// @param topology  of the patch; made again when null.
 /// @param fits      for SDF, whose measure needs weights, always operators.
 EvolutionState make_state(Patch patch, const Objective& objective, Stencil stencil,
                           std::shared_ptr<const Topology> topology = nullptr, Fits fits = Fits::operators);

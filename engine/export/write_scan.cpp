@@ -62,7 +62,7 @@ class SideFiles {
   const fs::path& scan_folder() const { return from_; }
 
   /// As the output shall name a file that the scan names; copied, if so asked. @param folder  of the scan's, from which the
-  /// name is told
+  /// name is given
   std::string named(const std::string& name, const fs::path& folder = {}) {
     if (!is_elsewhere_) return name;
     if (materials_ == MaterialFiles::copy) {
@@ -87,7 +87,7 @@ class SideFiles {
     return entry->second.empty() ? nullptr : &entry->second;
   }
 
-  /// "NAME_patch" after the output, or with a number where a file of the scan or of somebody else is called so.
+  /// "NAME_patch" after the output, or with a number where a file of the scan or a foreign one has that name.
   std::string name_for_patches(const std::set<std::string>& taken) const {
     const std::string stem = path_text(without_gzip_name(path_).stem()) + "_patch";
     std::set<std::string> taken_files;
@@ -201,7 +201,7 @@ class ObjTexture : public Texture {
   void name_files(ScanAttributes& continued) override {
     for (const std::string& name : scan_.material_libraries) continued.material_libraries.push_back(files_.named(name));
     std::error_code ignored;
-    for (const MaterialLibrary& library : named_.libraries())  // pictures are told from the folder of the material file
+    for (const MaterialLibrary& library : named_.libraries())  // paths of pictures are relative to the material file
       for (const std::string& picture : library.pictures)
         files_.named(picture, fs::relative(folder_of(library.path), files_.scan_folder(), ignored));
   }

@@ -30,7 +30,7 @@ constexpr int fairing_rounds = 4;
 /// the islands of 20 scans take at most a tenth more.
 constexpr double bubble = 3;
 constexpr double most_vertices = 2e6;
-/// Folds and intersections for each triangle of a first bridge. Small ones that have more can be mended; those of so many vertices
+/// Folds and intersections for each triangle of a first bridge. Small ones that have more can be repaired; those of so many vertices
 /// took up to a minute, and never were.
 constexpr double tangled = 0.5;
 constexpr double many_vertices = 5000;

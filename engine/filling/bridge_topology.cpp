@@ -14,7 +14,7 @@ namespace loopmend {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double surely = 0.05;        ///< below this cosine a sense is not told from a sense of the other kind
+constexpr double surely = 0.05;        ///< below this cosine a sense is not distinguished from the other
 constexpr double widest_cap = 1.3;     ///< radians: less than a hemisphere
 constexpr double room_between = 0.85;  ///< share of the angle between two directions that their caps may take together
 

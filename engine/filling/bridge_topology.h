@@ -17,7 +17,7 @@ struct BridgeEnd {
 };
 
 /// +1 if the loop runs counter-clockwise seen along the way the surface goes on, as it does where normals point outwards;
-/// −1 if clockwise; 0 if that cannot be told (an island and its hole lie around one centre).
+/// −1 if clockwise; 0 if undecided (an island and its hole lie around one centre).
 /// @param center  where the loops meet, roughly: the mean of their centres.
 int turning_sense(const BridgeEnd& end, const Vec3& center);
 

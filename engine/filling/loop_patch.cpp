@@ -138,7 +138,7 @@ struct Candidate {
   Validity quality;
 
   int defect_count() const { return quality.folds + quality.intersections; }
-  /// Bad enough to try another triangulation: the folds on a boundary that turns back are nobody's fault.
+  /// Bad enough to try another triangulation: the folds on a boundary that turns back are the boundary's own.
   bool wants_another(int boundary) const {
     return quality.intersections > 0 || (quality.folds > 0 && quality.folds < boundary);
   }

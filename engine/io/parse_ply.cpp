@@ -180,7 +180,7 @@ class PlyBody {
   }
 
   /// Coordinates alone, by blocks, straight from the bytes. @returns false, and reads nothing, where something is out of the
-  /// common: value by value, that is told with its place.
+  /// common: value by value, an error then names its place.
   bool read_plain_points(const PlyElement& element, const VertexPlan& plan) {
     const PlyType type = element.properties.front().type;
     const bool plain = element.properties.size() == 3 && (type == PlyType::float32 || type == PlyType::float64) &&
@@ -395,7 +395,7 @@ class PlyBody {
     return value;
   }
 
-  /// Triangle strips: each vertex makes a triangle with the two before it, every second one turned round; −1 begins anew.
+  /// Triangle strips: each vertex makes a triangle with the two before it, every second one turned round; −1 begins again.
   void read_strips(const PlyElement& element) {
     if (element.count == 0) return;
     const FacePlan plan = plan_faces(element, errors_);

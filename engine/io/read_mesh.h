@@ -51,7 +51,7 @@ enum class CoincidentVertices { keep, weld };
 /// Whether files of this name are read: .ply .stl .obj .off .glb .gltf .3mf, any case, with or without .gz.
 bool is_mesh_name(const std::filesystem::path& path);
 
-/// Reads a mesh. The format is told by content first, then by the extension.
+/// Reads a mesh. The format follows from the content, else from the extension.
 /// @throws ReadError for anything that is not wholly a mesh with at least one face: a missing file, a directory, no
 ///         permission, an unknown format, a syntax error, a count that does not match, a non-finite coordinate, an
 ///         index out of range. Never returns a part of a file.

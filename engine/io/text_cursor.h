@@ -64,7 +64,7 @@ class TextCursor {
   std::size_t bytes_left() const { return text_.size() - at_; }
   /// Where in the text the next line begins.
   std::size_t next_line_offset() const { return next_; }
-  /// The text from the next line on, and how to leave lines of it out that somebody else has read.
+  /// The text from the next line on, and how to leave out lines of it that were read elsewhere.
   std::string_view next_lines() const { return text_.substr(next_); }
   void skip_lines(std::size_t bytes, std::size_t lines) {
     at_ = line_end_ = next_ += bytes;

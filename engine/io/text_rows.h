@@ -17,7 +17,7 @@ using KeepIntegers = std::function<bool(std::size_t row, const std::int64_t* num
 /// Reads the first `rows` lines of a text, each of which must hold so many numbers (at most 16), as parse_double and
 /// parse_integer read them, with blanks between them and nothing else.
 /// @param keyword  what each line begins with, one blank included; may be empty
-/// @returns how many bytes these lines are; nothing where one is otherwise, or does not do: line by line, that can be told.
+/// @returns how many bytes these lines are; nothing where one is otherwise, or does not do: read line by line, an error can name it.
 std::optional<std::size_t> read_rows(std::string_view text, std::size_t rows, int numbers, const KeepRow& keep,
                                      std::string_view keyword = "");
 std::optional<std::size_t> read_rows(std::string_view text, std::size_t rows, int numbers, const KeepIntegers& keep,

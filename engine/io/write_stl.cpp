@@ -75,7 +75,7 @@ void write_stl_text(Output& out, const TriangleSoup& soup) {
       }
     }
     if (!std::exchange(open, true)) out << "solid" << name << '\n';
-    const Eigen::Vector3f n = unit_normal(soup, triangle).cast<float>();  // readers compute it anew: keep it short
+    const Eigen::Vector3f n = unit_normal(soup, triangle).cast<float>();  // readers compute it again: keep it short
     out << "facet normal " << n[0] << ' ' << n[1] << ' ' << n[2] << "\n outer loop\n";
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3& p = corner(soup, triangle, i);

@@ -25,7 +25,7 @@ std::uint64_t current_line(XML_Parser parser) { return XML_GetCurrentLineNumber(
 std::int64_t current_byte(XML_Parser parser) { return XML_GetCurrentByteIndex(parser); }
 #endif
 
-/// Of one element or text: expat looks at it anew with each piece that arrives.
+/// Of one element or text: expat looks at it again with each piece that arrives.
 constexpr std::size_t longest_token = 1 << 22;
 
 }  // namespace

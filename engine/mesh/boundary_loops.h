@@ -48,7 +48,7 @@ struct BoundaryLoop {
   int edges() const { return static_cast<int>(vertices.size()); }
 };
 
-/// What told an outer rim from a hole, for a person, without a full stop; empty for other kinds.
+/// Why it is an outer rim and no hole, without a full stop; empty for other kinds.
 /// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says.
 bool is_shaped_like_a_hole(const BoundaryLoop& loop);
 

@@ -11,7 +11,7 @@
 
 namespace loopmend {
 
-/// Edges are told apart by the positions of their ends, whatever vertices lie there.
+/// Edges are distinguished by the positions of their ends, whatever vertices lie there.
 class ChordFaces {
  public:
   /// From here on the faces at the chords of this patch are counted.

@@ -27,7 +27,7 @@ struct FlatView {
 
 /// Leaves out what is no part of a surface, cuts what is not manifold, and turns what disagrees with most of its piece, in
 /// the soup as well. Fills all counts but that of unreferenced vertices. Deterministic. Indices must be in range.
-/// @param known  of the soup, where somebody has made it before
+/// @param known  of the soup, where it was made before
 /// @throws InvalidArgument if no usable face is left.
 FlatView flat_view(TriangleSoup& soup, std::optional<VertexSurvey> known, ModelRepairs& repairs);
 

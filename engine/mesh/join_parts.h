@@ -19,7 +19,7 @@ struct JoinedParts {
 /// @throws InvalidArgument where parts cut each other, or a part has no usable face.
 JoinedParts join_parts(const std::vector<TriangleSoup>& parts);
 
-/// Turns round the pieces of the surface that some of these loops bound. The model and the loops are made anew; `loops`
+/// Turns round the pieces of the surface that some of these loops bound. The model and the loops are made again; `loops`
 /// keeps its order. @param opposed indices into `loops`.
 /// @returns how many faces were turned.
 /// @throws InvalidArgument if a piece is bounded by opposed loops and by others: no two-sided surface joins them.

@@ -98,7 +98,7 @@ struct ScanAttributes {
   std::string header;  ///< binary STL: its 80 bytes
   std::size_t point_count = 0, triangle_count = 0;
 
-  /// The faces of the file; no ends where all are triangles, nothing at all where nobody needs them.
+  /// The faces of the file; no ends where all are triangles, null where they are not needed.
   std::vector<int> corners;
   std::vector<std::size_t> ends;
   /// Where some are no triangles: which face each triangle comes from, and the triangles.

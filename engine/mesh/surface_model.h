@@ -51,7 +51,7 @@ struct SurfaceModel {
   std::optional<SurfaceBeyond> beyond{};
 };
 
-/// Builds the view. Deterministic. @param survey  of this soup, where somebody has made it before; its indices are in range then
+/// Builds the view. Deterministic. @param survey  of this soup, where it was made before; its indices are in range then
 /// @throws InvalidArgument if an index is out of range or no usable face is left.
 SurfaceModel make_surface_model(TriangleSoup soup, std::optional<VertexSurvey> survey = std::nullopt);
 /// The same, made in place.

@@ -17,9 +17,9 @@ struct Validity {
   /// have; who counts tells how. A patch that has any is not pasted.
   int nonmanifold_edges = 0;
   double min_angle_deg = 0;  ///< smallest angle of a triangle of the patch
-  /// Per loop of the patch, of its part; empty where nobody asked.
+  /// Per loop of the patch, of its part; empty: not asked for.
   std::vector<int> intersections_of_loop;
-  /// The patch's triangles beside a fold or in an intersection, ascending; empty where nobody asked.
+  /// The patch's triangles beside a fold or in an intersection, ascending; empty: not asked for.
   std::vector<int> spoiled;
 
   bool is_clean() const { return folds == 0 && intersections == 0 && nonmanifold_edges == 0; }

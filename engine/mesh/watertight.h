@@ -26,7 +26,7 @@ struct Watertightness {
   std::size_t intersections = 0;       ///< pairs of triangles that cut each other, counted up to most_intersections
   double volume = 0;  ///< cubic mesh units; negative: inside out. Tells nothing where the surface is open
 
-  /// Whether inside and outside are told apart everywhere: a body that touches itself along an edge is still a body.
+  /// Whether inside and outside are distinct everywhere: a body that touches itself along an edge is still a body.
   bool encloses() const { return open_edges + non_manifold_edges + reversed_edges == 0; }
   bool printable() const { return encloses() && intersections == 0 && volume > 0; }
 };

@@ -42,7 +42,7 @@ PatchResult flow_between(const PatchProblem& problem, const EvolutionOptions& op
 
 constexpr double visible_angle = 5;  ///< degrees at a seam: a crease that the eye sees
 
-/// The patch is meant to leave its neighborhood without a crease; where it does not, that is told.
+/// The patch is meant to leave its neighborhood without a crease; where it does not, the result says so.
 void tell_of_creases(const EvolutionOptions& options, PatchResult& result) {
   if (options.flow != FlowKind::mmcvf || options.continuity == SeamContinuity::position) return;
   double worst = 0;

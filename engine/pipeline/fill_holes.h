@@ -25,7 +25,7 @@ struct FillOptions : GroupOptions {
   /// Whether the planes of symmetry of the whole surface are looked for, for GroupOptions::mirror_planes.
   enum class Mirror { as_given, find } mirror = Mirror::as_given;
   /// Megabytes that the patches under way may take together, above 0. A loop that needs more is left open with its reason:
-  /// before its patch is begun, where that can be told from its size, or else before it is solved.
+  /// before its patch is begun, where its size decides that, or else before it is solved.
   double most_memory_mb = std::numeric_limits<double>::infinity();
   /// When cancelled: leave the model as it was, or fill what was finished by then.
   enum class OnCancel { discard, keep_finished } on_cancel = OnCancel::discard;

@@ -14,7 +14,7 @@ namespace loopmend {
 SurfaceModel make_filling_view(TriangleSoup soup, std::optional<VertexSurvey> survey = std::nullopt);
 
 /// Makes the view wider where the filling of some loops looks further than it reaches; view vertices may take other numbers
-/// then. @param all  loops of the model. @param loops  to be filled. @returns whether it was made anew: find the loops again.
+/// then. @param all  loops of the model. @param loops  to be filled. @returns whether it was made again: find the loops again.
 bool widen_filling_view(SurfaceModel& model, const std::vector<BoundaryLoop>& all,
                         const std::vector<BoundaryLoop>& loops);
 

@@ -26,7 +26,7 @@ struct InitialPatch {
   std::optional<Patch> patch;       ///< empty when no loop of the group could be filled
   std::vector<BoundaryLoop> loops;  ///< the group
   std::vector<LoopPatchOutcome>
-      outcomes;  ///< one per loop; empty where they are to be made anew when they are asked for
+      outcomes;  ///< one per loop; empty where they are to be made again when they are asked for
   /// Whether `patch` is what the loops alone lead to, or a flow has moved it: then it is solved as one, from there alone.
   /// `uncut`: made of triangles that cut nothing, since what the loops lead to cuts the surface.
   enum class Origin { loops, evolved, uncut } origin = Origin::loops;

@@ -6,8 +6,8 @@
 
 namespace loopmend {
 
-/// Adds relief to the patch of a hole, its validity and seams measured anew, and says so in its message; or says why the patch
-/// stays smooth: there is no relief, it cannot be told from shape, or the patch would fold or cut the surface with it.
+/// Adds relief to the patch of a hole, its validity and seams measured again, and says so in its message; or says why the patch
+/// stays smooth: there is no relief, it cannot be separated from shape, or the patch would fold or cut the surface with it.
 /// @param estimate  of the patch's neighborhood
 void add_relief(const PatchProblem& problem, const SplitEstimate& estimate, const ReliefChoice& choice,
                 const CancelToken& cancel, PatchResult& result);

@@ -44,7 +44,7 @@ struct PatchResult {
   Validity validity;
   DeviationEstimate deviation;  ///< empty without an estimate
   MirrorFit mirror;             ///< of the mirror image, where one was asked for
-  // One for each loop of the patch; empty where nobody measured.
+  // One for each loop of the patch; empty: not measured.
   std::vector<Verdict> verdicts;
   std::vector<SeamReport> seams_before;  ///< of the initial patch
   std::vector<SeamReport> seams;

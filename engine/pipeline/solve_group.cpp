@@ -221,7 +221,7 @@ class GroupSolver {
         continue;
       }
       hole->status = patch->status;
-      // What the initial patch lacked is past once the flow has mended it.
+      // Drop the initial patch's warnings once the flow has fixed them.
       if (patch->status != PatchStatus::filled || !patch->message.empty()) hole->message = patch->message;
     }
     return result;
@@ -360,7 +360,7 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
         }
       else
         known.split = groups.front().split;
-    } catch (const std::exception&) {  // where it cannot be told, all loops stay together
+    } catch (const std::exception&) {  // where it is unknown, all loops stay together
       parts.clear();
     }
   }

@@ -40,7 +40,7 @@ struct HoleResult {
   std::string method() const { return is_filled(status) ? method_name(outcome()) : std::string(); }
   Message reason() const { return is_filled(status) ? outcome().reason : Message(); }
   int steps() const { return outcome().steps; }
-  /// Zero where there is no patch, or where nobody measured.
+  /// Zero where there is no patch, or it was not measured.
   SeamReport seam_before() const { return entry(&PatchResult::seams_before); }
   SeamReport seam_after() const { return entry(&PatchResult::seams); }
   /// Good where there is no patch: its status says more.
@@ -107,7 +107,7 @@ std::vector<InitialPatch> parts_alike(const ScanIndex& scan, const InitialPatch&
 /// Holes that ask for the same treatment of the boundary data are solved jointly; where that leaves one of them open, out of
 /// proportion or with the initial patch, each by itself. What goes wrong in one hole leaves the others alone.
 /// @param initial  with more than one loop and no outcomes, these are made again.
-/// @param observer  is not told of the start of `initial` itself.
+/// @param observer  does not hear of the start of `initial` itself.
 /// @returns nothing of use when cancelled.
 GroupResult solve_group(const ScanIndex& scan, const InitialPatch& initial, const GroupOptions& options,
                         const SolveObserver& observer, const CancelToken& cancel);

@@ -31,7 +31,7 @@ class ConstrainedRemesher {
   void set_watch(Watch watch) { watch_ = std::move(watch); }
 
   void scale_sizes(double factor);
-  /// Numbers vertices and triangles anew, so that those near each other in space are near each other in memory: after many
+  /// Numbers vertices and triangles again, so that those near each other in space are near each other in memory: after many
   /// splits everything else takes twice the time. Locked vertices keep their numbers.
   void sort_in_space();
   /// Splits edges above 4/3 of the target (chords between boundary vertices above 1/2); the midpoints stay on the edges.

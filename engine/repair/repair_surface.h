@@ -62,13 +62,13 @@ struct RepairedSurface {
   RepairCounts counts;
 };
 
-/// Mends the defects named, in the order of the enumeration. Faces keep their order. No point moves. Points that no face
+/// Repairs the defects named, in the order of the enumeration. Faces keep their order. No point moves. Points that no face
 /// needs any more stay. `non_manifold` takes degenerate and duplicate faces along, and `overlaps` takes `non_manifold` along.
 /// @throws InvalidArgument if no usable face is left.
 RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects = harmless_repairs,
                                const CancelToken& cancel = {});
 
-/// What repair_surface() would do about each defect if it were the only one to be mended. Cancelled, nothing of use.
+/// What repair_surface() would do about each defect if it were the only one to be repaired. Cancelled, nothing of use.
 RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel = {});
 
 }  // namespace loopmend

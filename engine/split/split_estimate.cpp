@@ -23,7 +23,7 @@ namespace loopmend {
 namespace {
 
 constexpr double least_noise = 1e-4;  ///< below, in boundary edges, the split form comes no closer than the flow itself
-constexpr double coarsest_relief = 1.5;  ///< ℓ of the relief that is told of, in boundary edges
+constexpr double coarsest_relief = 1.5;  ///< largest reported ℓ of the relief, in boundary edges
 constexpr double free_relief = 1.0 / 8;  ///< κ of the estimate, per radius: the relief's own mean hardly counts
 /// Heights of relief and noise on smooth surfaces, in edges, over (edge ‖A‖)³: at most 0.013 around holes in even and
 /// uneven spheres, 0.016 in cylinders, for edges of 0.04 to 0.2 radii.
@@ -128,7 +128,7 @@ class Likelihood {
   double resolution() const { return resolution_; }
   bool is_valid() const { return valid_ && std::isfinite(energy_); }
 
-  /// @param w, v  in boundary edges; v = 0: no noise. @returns infinity where it cannot be told.
+  /// @param w, v  in boundary edges; v = 0: no noise. @returns infinity where it is unknown.
   double operator()(double w, double v, SpdSolver& solver) const { return at(w, v, solver).value; }
 
   struct Heights {

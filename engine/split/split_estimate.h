@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of the neighborhood of a patch is smooth shape, how much relief and how much noise: told by the neighborhood alone.
+// How much of the neighborhood of a patch is smooth shape, how much relief and how much noise: estimated from the neighborhood alone.
 #pragma once
 
 #include "core/cancel.h"

@@ -10,9 +10,9 @@
 
 namespace loopmend {
 
-/// Arguments for the Python function that is told of progress.
+/// Arguments for the Python function that receives progress.
 using Event = std::function<pybind11::tuple()>;
-/// Takes an event from any thread; it is told later, by the thread that called run_interruptibly().
+/// Takes an event from any thread; it is delivered later, by the thread that called run_interruptibly().
 using PostEvent = std::function<void(Event)>;
 
 /// What the first KeyboardInterrupt does.
@@ -22,9 +22,9 @@ enum class OnInterrupt {
 };
 
 /// Calls work(cancel, post) without the GIL, and looks for signals 20 times a second. A signal's exception, or one that
-/// `on_event` raises, cancels the work; when that has ended, the exception goes on. Events are told in their order, all of
+/// `on_event` raises, cancels the work; when that has ended, the exception goes on. Events are delivered in their order, all of
 /// them, those made while an exception is under way excepted.
-/// @param on_event  called with an event's tuple; None: nobody is told.
+/// @param on_event  called with an event's tuple; None: no progress is reported.
 /// @throws Error where the system allows no further thread; what the work threw, where no exception of Python came first.
 void run_interruptibly(const std::function<void(const CancelToken& cancel, const PostEvent& post)>& work,
                        const pybind11::object& on_event, OnInterrupt on_interrupt = OnInterrupt::raise);

@@ -148,7 +148,7 @@ double processor_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// What somebody writes who knows that the file is just so: coordinates to double precision, corners to whole numbers.
+/// The fastest reader for a file of exactly this form: coordinates to double precision, corners to whole numbers.
 double plain_loop(const std::string& path) {
   const auto start = Clock::now();
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);

@@ -89,7 +89,7 @@ Place place_of(const Vec3& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-/// What a peer wrote as the input with the new triangles behind it: other programs number anew and round to single precision.
+/// What a peer wrote as the input with the new triangles behind it: other programs number again and round to single precision.
 /// The input is rounded likewise, and loses what the peer changed: triangles beside the hole that it split or flipped.
 TriangleSoup as_appended(TriangleSoup& input, const TriangleSoup& output) {
   std::map<Place, int> number;

@@ -136,7 +136,7 @@ TEST_F(Files, WhatCannotBeWrittenIsSaidToHaveChangedNothing) {
 }
 
 TEST_F(Files, CancellingTellsWhatStands) {
-  // The report goes to a pipe that nobody empties: the mesh stands by then, and the signal comes while the program waits.
+  // The report goes to a pipe that is not read: the mesh stands by then, and the signal comes while the program waits.
   const std::string script = "mkfifo " + path("pipe") + "; " + "sleep 60 <" + path("pipe") + "& reader=$!; " +
                              LOOPMEND_PROGRAM + " fill " + path("many.ply") + "-o " + path("out.ply") +
                              "--flow none --report - >" + path("pipe") + "2>" + path("said") +
@@ -153,7 +153,8 @@ TEST_F(Files, CancellingTellsWhatStands) {
   write_mesh(work / "many.ply", joined(parts));
   EXPECT_EQ(std::system(script.c_str()), 0);
   EXPECT_EQ(text_of(work / "code"), "143\n");
-  EXPECT_THAT(text_of(work / "said"), HasSubstr("cancelled by SIGTERM after " + (work / "out.ply").string() + " was written"));
+  EXPECT_THAT(text_of(work / "said"),
+              HasSubstr("cancelled by SIGTERM after " + (work / "out.ply").string() + " was written"));
 }
 
 TEST_F(Files, CancellingBeforeAnythingStandsSaysSo) {

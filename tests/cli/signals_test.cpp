@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signals, and streams that nobody reads: the exit code tells, files are old or new and whole, and nothing is left behind.
+// Signals, and streams that are not read: the exit code says so, files are old or new and whole, and nothing is left behind.
 #include "cli/run_program.h"
 
 #include "io/read_mesh.h"

@@ -183,7 +183,7 @@ TEST(Evolution, OneFactorServesAllFlowStepsForAnySigma) {
   for (double sigma : {1e-4, 0.1, 10.0, 1e4}) {
     const Patch start = bumpy_sphere_patch();
     Evolution evolution(start, flow_steps(sigma, 5));
-    evolution.step({});  // after which the initial patch's worst triangles are mended
+    evolution.step({});  // after which the initial patch's worst triangles are repaired
     const Triangles triangles = evolution.patch().triangles;
     evolution.run(nullptr, {});
     int factorizations = 0;

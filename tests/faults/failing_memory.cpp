@@ -11,7 +11,7 @@
 #include <cstring>
 #include <new>
 
-// Of glibc: what malloc and its like are where nobody has taken their place.
+// Of glibc: malloc and its like, unless they were replaced.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);

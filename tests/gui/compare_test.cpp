@@ -295,7 +295,7 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
     canvas.set_pose(to);
     settle();
   }
-  QVERIFY(share_apart(seen(), after) < 1e-4);  // everything drawn anew
+  QVERIFY(share_apart(seen(), after) < 1e-4);  // everything drawn again
 }
 
 void CompareTest::the_winner_comes_into_the_document() {

@@ -106,7 +106,7 @@ void FeatureTest::every_look_draws_another_picture() {
       QVERIFY2(share_changed(pictures[i], pictures[k]) > 0.001, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(k)));
 }
 
-/// While a flow runs only the patch is drawn anew, over what was kept; boundaries and the rest must not get lost.
+/// While a flow runs only the patch is drawn again, over what was kept; boundaries and the rest must not get lost.
 void FeatureTest::a_scan_with_colors_is_shown_in_them() {
   TriangleSoup soup = make_sample_scan();
   soup.colors.assign(soup.points.size(), Color{20, 200, 30, 255});

@@ -59,7 +59,7 @@ Points sorted(Points points) {
 }
 
 /// A sphere with a hole, a fin, and a crack along part of its equator.
-TriangleSoup to_be_mended() {
+TriangleSoup to_be_repaired() {
   TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
   const std::size_t before = soup.points.size();
   std::map<int, int> twin;
@@ -223,10 +223,10 @@ void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
   QTest::newRow("island at once") << island << QStringList() << true;
   QTest::newRow("island covered") << island << QStringList{QStringLiteral("--islands"), QStringLiteral("cover")}
                                   << false;
-  const QString mend = folder_.filePath(QStringLiteral("mend.ply"));
-  write_mesh(mend.toStdString(), to_be_mended());
+  const QString damaged = folder_.filePath(QStringLiteral("damaged.ply"));
+  write_mesh(damaged.toStdString(), to_be_repaired());
   for (const char* option : {"--stitch", "--repair"})
-    QTest::newRow(option) << mend << QStringList{QLatin1String(option)} << true;
+    QTest::newRow(option) << damaged << QStringList{QLatin1String(option)} << true;
   const QString ragged = folder_.filePath(QStringLiteral("ragged.ply"));
   TriangleSoup dangling = cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; });
   const SurfaceModel open = make_surface_model(dangling);
@@ -266,14 +266,14 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
     const int trimmed = window.document().scans().front();
     QCOMPARE(window.document().scan(trimmed)->model->soup.triangles.size(), before - 1);
   }
-  const auto mended = [&](const std::function<void()>& act) {
+  const auto repaired = [&](const std::function<void()>& act) {
     const int before = window.document().scans().front();
     act();
     return wait_idle(window) && window.document().scans().front() != before;  // another one came in its place
   };
-  if (options.contains(QStringLiteral("--stitch"))) QVERIFY(mended([&] { press(window, "stitch"); }));
+  if (options.contains(QStringLiteral("--stitch"))) QVERIFY(repaired([&] { press(window, "stitch"); }));
   if (options.contains(QStringLiteral("--repair")))
-    QVERIFY(mended([&] { window.controller().repair(harmless_repairs); }));
+    QVERIFY(repaired([&] { window.controller().repair(harmless_repairs); }));
   part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));
   part<QCheckBox>(window, "relief")->setChecked(options.contains(QStringLiteral("--relief")));
   part<QCheckBox>(window, "edges")->setChecked(!options.contains(QStringLiteral("--edges")));

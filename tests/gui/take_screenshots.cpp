@@ -359,7 +359,7 @@ TriangleSoup faulty_ball() {
   return ball;
 }
 
-void show_mending(MainWindow& window) {
+void show_repair(MainWindow& window) {
   show_example(window, faulty_ball(), QStringLiteral("ball"));
   wait_until([&] { return window.print_check().result().has_value(); }, 60);
   shoot(window, "verdict");
@@ -419,7 +419,7 @@ int main(int argc, char** argv) {
     show_blend(window);
     show_bridge(window);
     show_guides(window);
-    show_mending(window);
+    show_repair(window);
     window.autosave().finish();
     return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;
   }
@@ -433,7 +433,7 @@ int main(int argc, char** argv) {
   show_blend(window);
   show_bridge(window);
   show_guides(window);
-  show_mending(window);
+  show_repair(window);
   show_scene(window);
   window.autosave().finish();
   return window.shut_down(std::chrono::seconds(20)) ? 0 : 1;

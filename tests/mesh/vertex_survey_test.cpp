@@ -22,7 +22,7 @@ std::vector<int> numbers(std::size_t count) {
 TEST(VertexSurvey, CleanSurfaces) {
   const TriangleSoup ball = make_icosphere(3), sheet = make_graph([](double, double) { return 0; }, 1, 8);
   for (const TriangleSoup* soup : {&ball, &sheet}) {
-    const VertexSurvey survey = survey_vertices(soup->triangles, soup->points.size() + 3);  // some that nobody uses
+    const VertexSurvey survey = survey_vertices(soup->triangles, soup->points.size() + 3);  // some are unused
     EXPECT_FALSE(survey.any(VertexState::several));
     EXPECT_FALSE(survey.any(VertexState::disordered));
     EXPECT_EQ(survey.non_manifold_edges, 0U);

@@ -199,17 +199,17 @@ TEST(TrimBoundary, ABoundaryThatWasMendedIsFilledLikeOneThatWasNeverBad) {
   const test::RaggedBoundary boundary = test::ragged_boundary();
   SurfaceModel clean = make_surface_model(boundary.clean);
   const SurfaceModel ragged = make_surface_model(boundary.ragged);
-  SurfaceModel mended = trim_boundary(ragged, holes_of(ragged), 3).model;
-  for (SurfaceModel* model : {&clean, &mended})
+  SurfaceModel trimmed = trim_boundary(ragged, holes_of(ragged), 3).model;
+  for (SurfaceModel* model : {&clean, &trimmed})
     for (const HoleResult& result : fill_holes(*model, holes_of(*model), {}, nullptr, {}))
       EXPECT_TRUE(is_at_end(result.status)) << result.message;
   const auto points_from = [](const SurfaceModel& model, std::size_t first) {
     return Points(model.soup.points.begin() + static_cast<long>(first), model.soup.points.end());
   };
-  EXPECT_EQ(points_from(mended, boundary.ragged.points.size()), points_from(clean, boundary.clean.points.size()));
-  EXPECT_TRUE(find_boundary_loops(mended).empty());
+  EXPECT_EQ(points_from(trimmed, boundary.ragged.points.size()), points_from(clean, boundary.clean.points.size()));
+  EXPECT_TRUE(find_boundary_loops(trimmed).empty());
   EXPECT_TRUE(
-      self_intersections(mended.soup.points, mended.soup.triangles, static_cast<int>(mended.soup.triangles.size()))
+      self_intersections(trimmed.soup.points, trimmed.soup.triangles, static_cast<int>(trimmed.soup.triangles.size()))
           .empty());
 }
 

@@ -94,7 +94,7 @@ struct Child::Process {
 };
 
 Child::Child(const std::vector<std::string>& arguments) : process_(std::make_unique<Process>()) {
-  std::signal(SIGCHLD, SIG_DFL);  // ignored, as some callers leave it, the children's ends would not be told
+  std::signal(SIGCHLD, SIG_DFL);  // ignored, as some callers leave it, the children's ends would not be reported
   std::vector<char*> words{const_cast<char*>("loopmend")};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);

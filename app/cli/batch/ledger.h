@@ -41,7 +41,7 @@ struct LedgerEntry {
 };
 
 /// The file batch.jsonl: one line when a scan is begun, one when it is filled, each on the disk before anything else happens.
-/// Nobody else can open it meanwhile.
+/// No other process can open it meanwhile.
 class Ledger {
  public:
   /// Makes the folder and the file where they are not there. A line that was cut off, as by kill -9, is dropped.

@@ -12,7 +12,7 @@ namespace loopmend {
 namespace {
 
 constexpr double width = 760, height = 420, left = 76, right = 130, top = 44, bottom = 56;
-/// Okabe and Ito's colours: told apart by every kind of colour vision.
+/// Okabe and Ito's colours: distinct for every kind of colour vision.
 constexpr std::array<const char*, 6> colors{"#D55E00", "#0072B2", "#009E73", "#111111", "#CC79A7", "#E69F00"};
 
 std::string number(double x) {

@@ -18,10 +18,10 @@
 
 namespace loopmend {
 
-enum class Mending;
+enum class ScanRepair;
 
-/// A scan to be mended, and those of its loops that were chosen.
-struct MendingTask {
+/// A scan to be repaired, and those of its loops that were chosen.
+struct ScanRepairTask {
   int scan = 0;
   std::shared_ptr<const OpenedScan> opened;
   std::vector<BoundaryLoop> loops;
@@ -34,22 +34,22 @@ struct MendingTask {
   CancelToken cancel{};
 };
 
-struct MendedScan {
+struct RepairedScan {
   int scan = 0;
-  OpenedScanPtr made;                     ///< null: it could not be mended, and `words` say why
+  OpenedScanPtr made;                     ///< null: it could not be repaired, and `words` say why
   QString title, words;                   ///< of the change, and of what was done
   std::optional<NewPoints> new_points{};  ///< empty: points cannot be followed
-  std::vector<OpenPatch> carried{};       ///< patches that are the same in the mended scan; see carried_patches()
+  std::vector<OpenPatch> carried{};       ///< patches that are the same in the repaired scan; see carried_patches()
   int joined_patches = 0;                 ///< that are a part of it now
   int lost_patches = 0;
-  std::vector<int> to_fill{};  ///< loops within the mended scan
+  std::vector<int> to_fill{};  ///< loops within the repaired scan
 };
 
-/// The mended scan; empty where there is nothing to mend. @throws Error as the function of the engine does.
-std::optional<MendedScan> mended(Mending what, const MendingTask& task);
+/// The repaired scan; empty where there is nothing to repair. @throws Error as the function of the engine does.
+std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask& task);
 
-QString mending_title(Mending what);
-/// What is said where no scan had anything to mend.
-QString nothing_to_mend(Mending what);
+QString repair_title(ScanRepair what);
+/// The notice where no scan had anything to repair.
+QString nothing_to_repair(ScanRepair what);
 
 }  // namespace loopmend

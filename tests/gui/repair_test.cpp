@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a scan, mended by name, until it could be printed; and exports with that verdict.
+// Defects of a scan, repaired one by one until it could be printed; and exports with that verdict.
 #include "driver.h"
 #include "test_main.h"
 
@@ -90,7 +90,7 @@ int pixels_of(QTableView* table, const QModelIndex& cell, const QColor& color) {
 
 }  // namespace
 
-class MendingTest : public QObject {
+class RepairTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -111,7 +111,7 @@ class MendingTest : public QObject {
   QTemporaryDir folder_;
 };
 
-void MendingTest::verdict_follows_the_scene() {
+void RepairTest::verdict_follows_the_scene() {
   Shown shown({write_open_sphere(folder_.filePath(QStringLiteral("open.ply")))});
   MainWindow& window = shown.window;
   QVERIFY(verdict_is_known(window));
@@ -126,7 +126,7 @@ void MendingTest::verdict_follows_the_scene() {
   QCOMPARE(verdict(window), QStringLiteral("Not watertight: 1 open boundary loop"));
 }
 
-void MendingTest::export_dialog_tells_the_verdict() {
+void RepairTest::export_dialog_tells_the_verdict() {
   Shown shown({write_open_sphere(folder_.filePath(QStringLiteral("asked.ply")))});
   ExportDialog dialog(shown.window.print_check(), folder_.filePath(QStringLiteral("asked-filled.ply")),
                       {QStringLiteral("PLY (*.ply *.ply.gz)"), QStringLiteral("STL (*.stl)")},
@@ -139,7 +139,7 @@ void MendingTest::export_dialog_tells_the_verdict() {
   QCOMPARE(dialog.path(), folder_.filePath(QStringLiteral("without.stl")));
 }
 
-void MendingTest::patches_are_exported_by_themselves() {
+void RepairTest::patches_are_exported_by_themselves() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
   window.selection().select({first_hole(window.document())});
@@ -162,7 +162,7 @@ void MendingTest::patches_are_exported_by_themselves() {
   QVERIFY(window.isWindowModified());  // the scan with its patches is in no file yet
 }
 
-void MendingTest::what_is_new_is_labelled() {
+void RepairTest::what_is_new_is_labelled() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
   window.selection().select({first_hole(window.document())});
@@ -199,7 +199,7 @@ void MendingTest::what_is_new_is_labelled() {
              v < old_points ? 0.0 : static_cast<double>(static_cast<float>(state.deviation.vertices[v - old_points])));
 }
 
-void MendingTest::defects_are_listed_and_mended_one_by_one() {
+void RepairTest::defects_are_listed_and_mended_one_by_one() {
   TriangleSoup soup = make_icosphere(3);
   soup.triangles.push_back({3, 3, 4});
   soup.triangles.push_back(soup.triangles.front());
@@ -231,7 +231,7 @@ void MendingTest::defects_are_listed_and_mended_one_by_one() {
   dialog->close();
 }
 
-void MendingTest::overlapping_bodies_become_one() {
+void RepairTest::overlapping_bodies_become_one() {
   TriangleSoup moved = make_icosphere(3);
   for (Vec3& p : moved.points) p.x() += 1;
   const TriangleSoup soup = joined({make_icosphere(3), moved});
@@ -256,7 +256,7 @@ void MendingTest::overlapping_bodies_become_one() {
 }
 
 /// A ball with a hole, and a fin that stands on an edge of it: both run along an edge of three faces.
-void MendingTest::preparing_does_what_the_command_line_does_with_auto() {
+void RepairTest::preparing_does_what_the_command_line_does_with_auto() {
   TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
   const Triangle t = soup.triangles[soup.triangles.size() / 2];
   soup.points.push_back(1.5 * soup.points[static_cast<std::size_t>(t[0])]);
@@ -282,7 +282,7 @@ void MendingTest::preparing_does_what_the_command_line_does_with_auto() {
   QVERIFY(std::any_of(back.loops.begin(), back.loops.end(), is_cut));
 }
 
-void MendingTest::fix_all_leaves_nothing_to_fix_data() {
+void RepairTest::fix_all_leaves_nothing_to_fix_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<bool>("has_handles");
   QTest::newRow("snowden_bust.obj") << QStringLiteral("snowden_bust.obj") << false;
@@ -290,7 +290,7 @@ void MendingTest::fix_all_leaves_nothing_to_fix_data() {
 }
 
 /// Separating edges may make points in one place, of which none was found before.
-void MendingTest::fix_all_leaves_nothing_to_fix() {
+void RepairTest::fix_all_leaves_nothing_to_fix() {
   QFETCH(QString, name);
   QFETCH(bool, has_handles);
   const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/scans2/") + name;
@@ -312,7 +312,7 @@ void MendingTest::fix_all_leaves_nothing_to_fix() {
   dialog->close();
 }
 
-void MendingTest::doll_becomes_printable() {
+void RepairTest::doll_becomes_printable() {
   const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/data/doll.obj");
   if (!at_length()) QSKIP(for_the_night);
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
@@ -338,7 +338,7 @@ void MendingTest::doll_becomes_printable() {
   QVERIFY(watertightness(read_mesh(path.toStdString()).soup).encloses());
 }
 
-void MendingTest::dragon_is_stitched_watertight() {
+void RepairTest::dragon_is_stitched_watertight() {
   const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/data/dragon.ply");
   if (!at_length()) QSKIP(for_the_night);
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
@@ -360,7 +360,7 @@ void MendingTest::dragon_is_stitched_watertight() {
   press(window, "stitch");
   QVERIFY(wait_idle(window));
   // Files are proposed beside it.
-  QCOMPARE(window.document().first_scan().mended, QFileInfo(scan).canonicalFilePath());
+  QCOMPARE(window.document().first_scan().repaired_from, QFileInfo(scan).canonicalFilePath());
   QCOMPARE(loops_that_are(LoopKind::crack), 0);
   QCOMPARE(loops_that_are(LoopKind::hole), 0);
   QCOMPARE(part<QLabel>(window, "fillEstimate")->text(), QStringLiteral("16 cuts: press Repair\u2026"));
@@ -370,7 +370,7 @@ void MendingTest::dragon_is_stitched_watertight() {
   QVERIFY(verdict(window).startsWith(QStringLiteral("Watertight")));
 }
 
-void MendingTest::a_dome_over_a_flat_loop_is_red() {
+void RepairTest::a_dome_over_a_flat_loop_is_red() {
   Shown shown({write_rough_bowl(folder_.filePath(QStringLiteral("bowl.ply")))});
   MainWindow& window = shown.window;
   auto* table = part<QTableView>(window, "holesTable");
@@ -412,6 +412,6 @@ void MendingTest::a_dome_over_a_flat_loop_is_red() {
   QCOMPARE(pixels_of(table, table->model()->index(0, HoleTable::state), red), 0);
 }
 
-std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<MendingTest>(); }
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<RepairTest>(); }
 
-#include "mending_test.moc"
+#include "repair_test.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jobs/mend_scan.h"
+#include "jobs/repair_scan.h"
 
 #include "jobs/change_surface.h"
 #include "jobs/fill_controller.h"
@@ -18,7 +18,7 @@ namespace loopmend {
 
 namespace {
 
-std::optional<MendedScan> trimmed(const MendingTask& task) {
+std::optional<RepairedScan> trimmed(const ScanRepairTask& task) {
   constexpr int rounds = 3;
   const OpenedScan& old = *task.opened;
   TrimmedModel result = trim_boundary(*old.model, task.loops, rounds);
@@ -27,25 +27,25 @@ std::optional<MendedScan> trimmed(const MendingTask& task) {
       FillController::tr("%1: %L2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
           .arg(old.name)
           .arg(result.removed.size());
-  return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
-                    FillController::tr("Trim the boundaries of %1").arg(old.name), words, NewPoints{}};
+  return RepairedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
+                      FillController::tr("Trim the boundaries of %1").arg(old.name), words, NewPoints{}};
 }
 
-std::optional<MendedScan> trimmed_where_it_crosses(const MendingTask& task) {
+std::optional<RepairedScan> trimmed_where_it_crosses(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   TrimmedModel result = trim_pierced(*old.model, task.loops);
   if (result.removed.empty()) return std::nullopt;
   const int count = static_cast<int>(result.removed.size());
-  return MendedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
-                    FillController::tr("Trim crossing triangles of %1").arg(old.name),
-                    FillController::tr("%1: %Ln triangle(s) were removed where a boundary ran through the surface; "
-                                       "Ctrl+Z brings them back.",
-                                       nullptr, count)
-                        .arg(old.name),
-                    NewPoints{}};
+  return RepairedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
+                      FillController::tr("Trim crossing triangles of %1").arg(old.name),
+                      FillController::tr("%1: %Ln triangle(s) were removed where a boundary ran through the surface; "
+                                         "Ctrl+Z brings them back.",
+                                         nullptr, count)
+                          .arg(old.name),
+                      NewPoints{}};
 }
 
-std::optional<MendedScan> stitched(const MendingTask& task) {
+std::optional<RepairedScan> stitched(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   StitchedSurface result = stitch_boundaries(*old.model);
   if (result.joined_vertices + result.split_faces == 0) return std::nullopt;
@@ -54,8 +54,8 @@ std::optional<MendedScan> stitched(const MendingTask& task) {
           .arg(old.name)
           .arg(result.joined_vertices)
           .arg(result.split_faces);
-  return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
-                    FillController::tr("Stitch %1").arg(old.name), words};
+  return RepairedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
+                      FillController::tr("Stitch %1").arg(old.name), words};
 }
 
 QStringList list_of(const RepairCounts& counts) {
@@ -99,22 +99,22 @@ QString sentence_of(const OpenedScan& scan, const QStringList& done) {
   return FillController::tr("%1: %2. Ctrl+Z takes it back.").arg(scan.name, done.join(QStringLiteral(", ")));
 }
 
-std::optional<MendedScan> repaired(const MendingTask& task) {
+std::optional<RepairedScan> repaired(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   RepairedSurface result = repair_surface(as_read(*old.model), task.defects, task.cancel);
   const QString left = bodies_left(result.counts.united);
   if (!result.counts.any()) {
     if (left.isEmpty()) return std::nullopt;
-    return MendedScan{task.scan, nullptr, {}, left};
+    return RepairedScan{task.scan, nullptr, {}, left};
   }
   QString words = sentence_of(old, list_of(result.counts));
   if (!left.isEmpty()) words += QLatin1Char(' ') + left;
-  return MendedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
-                    FillController::tr("Repair %1").arg(old.name), words};
+  return RepairedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
+                      FillController::tr("Repair %1").arg(old.name), words};
 }
 
 /// What `fill --auto` does before it fills.
-std::optional<MendedScan> prepared(const MendingTask& task) {
+std::optional<RepairedScan> prepared(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   ScanJob job;
   job.prepare.extent = PrepareOptions::Extent::where_needed;
@@ -131,11 +131,11 @@ std::optional<MendedScan> prepared(const MendingTask& task) {
   if (!plan.trimmed.empty())
     done << FillController::tr("%Ln crossing triangles removed", nullptr, n(plan.trimmed.size()));
   if (done.isEmpty()) return std::nullopt;
-  return MendedScan{task.scan, made_scan(std::move(plan.model.soup), old.name, old.origin),
-                    FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
+  return RepairedScan{task.scan, made_scan(std::move(plan.model.soup), old.name, old.origin),
+                      FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
 }
 
-MendedScan bridged(const MendingTask& task) {
+RepairedScan bridged(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   const auto [a, b] = task.bridge_ends;
   const QString words =
@@ -144,7 +144,7 @@ MendedScan bridged(const MendingTask& task) {
           .arg(a)
           .arg(b);
   const bool fills = task.part_to_fill >= 0;
-  MendedScan result{
+  RepairedScan result{
       task.scan, made_scan(with_bridge(*old.model, a, b), old.name, old.origin),
       (fills ? FillController::tr("Fill a part of a hole of %1") : FillController::tr("Bridge a hole of %1"))
           .arg(old.name),
@@ -172,7 +172,7 @@ bool is_touched(const Patch& patch, const OpenedScan& scan, int first_point, con
 }
 
 /// What was painted, or all along the boundaries of the loops; ascending.
-std::vector<int> points_to_erase(const MendingTask& task) {
+std::vector<int> points_to_erase(const ScanRepairTask& task) {
   if (!task.erased.empty()) return task.erased;
   std::set<int> points;
   for (const BoundaryLoop& loop : task.loops)
@@ -181,7 +181,7 @@ std::vector<int> points_to_erase(const MendingTask& task) {
 }
 
 /// Patches that lose faces, or have some beside them, become a part of the scan; the others are carried over.
-std::optional<MendedScan> erased(const MendingTask& task) {
+std::optional<RepairedScan> erased(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   const std::vector<int> wanted = points_to_erase(task);
   if (wanted.empty()) return std::nullopt;
@@ -208,76 +208,76 @@ std::optional<MendedScan> erased(const MendingTask& task) {
   ChangedSurface changed = without_faces_at(base.soup, points);
   const QString title = task.erased.empty() ? FillController::tr("Erase a ring of faces of %1")
                                             : FillController::tr("Erase a region of %1");
-  MendedScan result{task.scan, made_scan(std::move(changed.soup), old.name, old.origin), title.arg(old.name),
-                    FillController::tr("%1: %Ln face(s) were erased; Ctrl+Z brings them back.", nullptr,
-                                       static_cast<int>(changed.changes))
-                        .arg(old.name),
-                    changed.new_points};
+  RepairedScan result{task.scan, made_scan(std::move(changed.soup), old.name, old.origin), title.arg(old.name),
+                      FillController::tr("%1: %Ln face(s) were erased; Ctrl+Z brings them back.", nullptr,
+                                         static_cast<int>(changed.changes))
+                          .arg(old.name),
+                      changed.new_points};
   result.joined_patches = joined;
   result.to_fill = loops_opened(base, *result.made, changed.new_points);
   return result;
 }
 
-std::optional<MendedScan> parted(const MendingTask& task) {
+std::optional<RepairedScan> parted(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   ChangedSurface changed = parted_at_touches(*old.model, task.loops);
   if (changed.changes == 0) return std::nullopt;
-  return MendedScan{task.scan, made_scan(std::move(changed.soup), old.name, old.origin),
-                    FillController::tr("Part a boundary of %1").arg(old.name),
-                    FillController::tr("%1: the boundary was parted at %Ln vertices; Ctrl+Z takes it back.", nullptr,
-                                       static_cast<int>(changed.changes))
-                        .arg(old.name),
-                    NewPoints{}};
+  return RepairedScan{task.scan, made_scan(std::move(changed.soup), old.name, old.origin),
+                      FillController::tr("Part a boundary of %1").arg(old.name),
+                      FillController::tr("%1: the boundary was parted at %Ln vertices; Ctrl+Z takes it back.", nullptr,
+                                         static_cast<int>(changed.changes))
+                          .arg(old.name),
+                      NewPoints{}};
 }
 
 }  // namespace
 
-std::optional<MendedScan> mended(Mending what, const MendingTask& task) {
-  std::optional<MendedScan> result;
+std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask& task) {
+  std::optional<RepairedScan> result;
   switch (what) {
-    case Mending::trim: result = trimmed(task); break;
-    case Mending::trim_crossing: result = trimmed_where_it_crosses(task); break;
-    case Mending::stitch: result = stitched(task); break;
-    case Mending::prepare: result = prepared(task); break;
-    case Mending::repair: result = repaired(task); break;
-    case Mending::bridge: result = bridged(task); break;
-    case Mending::erase: result = erased(task); break;
-    case Mending::part: result = parted(task); break;
+    case ScanRepair::trim: result = trimmed(task); break;
+    case ScanRepair::trim_crossing: result = trimmed_where_it_crosses(task); break;
+    case ScanRepair::stitch: result = stitched(task); break;
+    case ScanRepair::prepare: result = prepared(task); break;
+    case ScanRepair::repair: result = repaired(task); break;
+    case ScanRepair::bridge: result = bridged(task); break;
+    case ScanRepair::erase: result = erased(task); break;
+    case ScanRepair::part: result = parted(task); break;
   }
   if (!result || !result->made) return result;
-  result->made->mended = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->mended;
+  result->made->repaired_from = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->repaired_from;
   if (result->new_points)
     result->carried = carried_patches(task.patches, task.first_loop, *task.opened, *result->made, *result->new_points);
   result->lost_patches = static_cast<int>(task.patches.size() - result->carried.size()) - result->joined_patches;
   return result;
 }
 
-QString nothing_to_mend(Mending what) {
+QString nothing_to_repair(ScanRepair what) {
   switch (what) {
-    case Mending::trim:
+    case ScanRepair::trim:
       return FillController::tr(
           "There are no bad triangles at these boundaries. A right click on the hole offers to erase a ring of faces.");
-    case Mending::trim_crossing: return FillController::tr("No edge of these boundaries runs through the surface.");
-    case Mending::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
-    case Mending::prepare: return FillController::tr("Nothing stands in the way of filling this scan.");
-    case Mending::repair: return FillController::tr("There is nothing to repair.");
-    case Mending::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
-    case Mending::bridge:
-    case Mending::erase: break;
+    case ScanRepair::trim_crossing: return FillController::tr("No edge of these boundaries runs through the surface.");
+    case ScanRepair::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
+    case ScanRepair::prepare: return FillController::tr("Nothing stands in the way of filling this scan.");
+    case ScanRepair::repair: return FillController::tr("There is nothing to repair.");
+    case ScanRepair::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
+    case ScanRepair::bridge:
+    case ScanRepair::erase: break;
   }
   return {};
 }
 
-QString mending_title(Mending what) {
+QString repair_title(ScanRepair what) {
   switch (what) {
-    case Mending::trim: return FillController::tr("Trimming boundaries");
-    case Mending::trim_crossing: return FillController::tr("Trimming crossing triangles");
-    case Mending::stitch: return FillController::tr("Stitching boundaries");
-    case Mending::prepare: return FillController::tr("Preparing the scan");
-    case Mending::repair: return FillController::tr("Repairing the scan");
-    case Mending::bridge: return FillController::tr("Bridging a hole");
-    case Mending::erase: return FillController::tr("Erasing a region");
-    case Mending::part: return FillController::tr("Parting a boundary");
+    case ScanRepair::trim: return FillController::tr("Trimming boundaries");
+    case ScanRepair::trim_crossing: return FillController::tr("Trimming crossing triangles");
+    case ScanRepair::stitch: return FillController::tr("Stitching boundaries");
+    case ScanRepair::prepare: return FillController::tr("Preparing the scan");
+    case ScanRepair::repair: return FillController::tr("Repairing the scan");
+    case ScanRepair::bridge: return FillController::tr("Bridging a hole");
+    case ScanRepair::erase: return FillController::tr("Erasing a region");
+    case ScanRepair::part: return FillController::tr("Parting a boundary");
   }
   return {};
 }

@@ -4,82 +4,82 @@
 #include "document/labels.h"
 #include "document/message_words.h"
 #include "jobs/fill_controller.h"
-#include "jobs/mend_scan.h"
+#include "jobs/repair_scan.h"
 
 namespace loopmend {
 
-void FillController::mend(Mending what, const std::set<int>& loops) {
+void FillController::repair_scans(ScanRepair what, const std::set<int>& loops) {
   if (busy()) return;
-  std::map<int, MendingTask> by_scan;
+  std::map<int, ScanRepairTask> by_scan;
   for (int loop : loops)
     if (document_.present(loop)) by_scan[document_.scan_of(loop)].loops.push_back(document_.loop(loop));
-  if (loops.empty() && (what == Mending::stitch || what == Mending::repair || what == Mending::prepare))
+  if (loops.empty() && (what == ScanRepair::stitch || what == ScanRepair::repair || what == ScanRepair::prepare))
     for (int scan : document_.scans()) by_scan[scan];
   if (by_scan.empty()) return;
-  std::vector<MendingTask> tasks;
+  std::vector<ScanRepairTask> tasks;
   for (auto& [scan, task] : by_scan) {
     task.scan = scan;
     tasks.push_back(std::move(task));
   }
-  run_mending(what, std::move(tasks));
+  run_repair(what, std::move(tasks));
 }
 
 void FillController::repair(const std::set<Defect>& defects) {
   if (busy()) return;
-  std::vector<MendingTask> tasks;
+  std::vector<ScanRepairTask> tasks;
   for (int scan : document_.scans()) {
-    MendingTask task;
+    ScanRepairTask task;
     task.scan = scan;
     task.defects = defects;
     tasks.push_back(std::move(task));
   }
-  if (!tasks.empty()) run_mending(Mending::repair, std::move(tasks));
+  if (!tasks.empty()) run_repair(ScanRepair::repair, std::move(tasks));
 }
 
 void FillController::bridge(int scan, int soup_a, int soup_b) {
   if (busy() || !document_.scan(scan)) return;
-  MendingTask task;
+  ScanRepairTask task;
   task.scan = scan;
   task.bridge_ends = {soup_a, soup_b};
-  run_mending(Mending::bridge, {std::move(task)});
+  run_repair(ScanRepair::bridge, {std::move(task)});
 }
 
 void FillController::fill_part(const HolePart& part, const FillAndSmooth& how) {
   if (busy() || !document_.scan(part.scan)) return;
-  MendingTask task;
+  ScanRepairTask task;
   task.scan = part.scan;
   task.bridge_ends = {part.from, part.to};
   task.part_to_fill = part.beside;
-  run_mending(Mending::bridge, {std::move(task)}, how);
+  run_repair(ScanRepair::bridge, {std::move(task)}, how);
 }
 
 void FillController::erase(int scan, const std::vector<int>& points, const std::optional<FillAndSmooth>& then) {
   if (busy() || !document_.scan(scan) || points.empty()) return;
-  MendingTask task;
+  ScanRepairTask task;
   task.scan = scan;
   task.erased = points;
-  run_mending(Mending::erase, {std::move(task)}, then);
+  run_repair(ScanRepair::erase, {std::move(task)}, then);
 }
 
-void FillController::run_mending(Mending what, std::vector<MendingTask> tasks,
-                                 const std::optional<FillAndSmooth>& then) {
-  for (MendingTask& task : tasks) {
+void FillController::run_repair(ScanRepair what, std::vector<ScanRepairTask> tasks,
+                                const std::optional<FillAndSmooth>& then) {
+  for (ScanRepairTask& task : tasks) {
     task.opened = document_.scan(task.scan);
     task.first_loop = document_.first_loop_of(task.scan);
     for (const OpenPatch& patch : document_.patches())
       if (patch.scan == task.scan) task.patches.push_back(patch);
   }
-  const JobPtr job = begin(Activity::filling, mending_title(what));
-  for (MendingTask& task : tasks) task.cancel = job->token();
+  const JobPtr job = begin(Activity::filling, repair_title(what));
+  for (ScanRepairTask& task : tasks) task.cancel = job->token();
   tasks_.run(
       job,
       [what, tasks] {
-        std::vector<MendedScan> all;
-        for (const MendingTask& task : tasks) {
+        std::vector<RepairedScan> all;
+        for (const ScanRepairTask& task : tasks) {
           try {
-            if (auto scan = mended(what, task)) all.push_back(std::move(*scan));
+            if (auto scan = repaired_scan(what, task)) all.push_back(std::move(*scan));
           } catch (const Error& error) {  // one scan does not take the others with it
-            MendedScan failed;
+            RepairedScan failed;
             failed.scan = task.scan;
             failed.words = labels::in_words(error.message());
             all.push_back(std::move(failed));
@@ -87,24 +87,24 @@ void FillController::run_mending(Mending what, std::vector<MendingTask> tasks,
         }
         return all;
       },
-      [this, what, then](const std::vector<MendedScan>& all) { on_mended(all, what, then); },
+      [this, what, then](const std::vector<RepairedScan>& all) { on_repaired(all, what, then); },
       [this](const QString& text) { give_up(text); });
 }
 
-void FillController::on_mended(const std::vector<MendedScan>& all, Mending what,
-                               const std::optional<FillAndSmooth>& then) {
+void FillController::on_repaired(const std::vector<RepairedScan>& all, ScanRepair what,
+                                 const std::optional<FillAndSmooth>& then) {
   end();
   std::set<int> to_fill;
   bool changed = false;
-  for (const MendedScan& one : all) {
+  for (const RepairedScan& one : all) {
     if (!one.made) {
       Q_EMIT notice(labels::sentence(one.words));
       continue;
     }
     changed = true;
-    to_fill.merge(take_mended(one));
+    to_fill.merge(take_repaired(one));
   }
-  if (all.empty()) Q_EMIT notice(nothing_to_mend(what));
+  if (all.empty()) Q_EMIT notice(nothing_to_repair(what));
   if (!to_fill.empty()) Q_EMIT holes_made(to_fill);
   if (!then || !changed) return;
   if (to_fill.empty()) {
@@ -133,29 +133,29 @@ void FillController::keep_unit(const std::vector<int>& gone, int come) {
   if (units != document_.chosen_units()) document_.set_chosen_units(units);
 }
 
-std::set<int> FillController::take_mended(const MendedScan& mended) {
-  const int come = document_.add_scan(mended.made), first_loop = document_.first_loop_of(come);
-  keep_unit({mended.scan}, come);
+std::set<int> FillController::take_repaired(const RepairedScan& repaired) {
+  const int come = document_.add_scan(repaired.made), first_loop = document_.first_loop_of(come);
+  keep_unit({repaired.scan}, come);
   std::vector<PatchChange::Pair> pairs;
-  for (OpenPatch patch : mended.carried) {
+  for (OpenPatch patch : repaired.carried) {
     patch.scan = come;
     patch.id = document_.next_patch_id();
     for (int& loop : patch.loops) loop += first_loop;
     pairs.push_back({std::nullopt, std::move(patch)});
   }
   std::vector<std::unique_ptr<Change>> parts;
-  parts.push_back(std::make_unique<AddScan>(document_, come, mended.title));
-  parts.push_back(std::make_unique<CloseScan>(document_, mended.scan, mended.title));
-  if (!pairs.empty()) parts.push_back(std::make_unique<PatchChange>(document_, std::move(pairs), mended.title));
-  undo_.push(std::make_unique<ChangeGroup>(std::move(parts), mended.title));
-  QString words = mended.words;
-  if (mended.joined_patches > 0)
-    words += QLatin1Char(' ') + tr("%Ln patch(es) are a part of the scan now.", nullptr, mended.joined_patches);
+  parts.push_back(std::make_unique<AddScan>(document_, come, repaired.title));
+  parts.push_back(std::make_unique<CloseScan>(document_, repaired.scan, repaired.title));
+  if (!pairs.empty()) parts.push_back(std::make_unique<PatchChange>(document_, std::move(pairs), repaired.title));
+  undo_.push(std::make_unique<ChangeGroup>(std::move(parts), repaired.title));
+  QString words = repaired.words;
+  if (repaired.joined_patches > 0)
+    words += QLatin1Char(' ') + tr("%Ln patch(es) are a part of the scan now.", nullptr, repaired.joined_patches);
   Q_EMIT logged(words);
-  if (mended.lost_patches > 0)
-    Q_EMIT notice(tr("%1 %Ln patch(es) of this scan were removed.", nullptr, mended.lost_patches).arg(words));
+  if (repaired.lost_patches > 0)
+    Q_EMIT notice(tr("%1 %Ln patch(es) of this scan were removed.", nullptr, repaired.lost_patches).arg(words));
   std::set<int> to_fill;
-  for (int loop : mended.to_fill) to_fill.insert(first_loop + loop);
+  for (int loop : repaired.to_fill) to_fill.insert(first_loop + loop);
   return to_fill;
 }
 
