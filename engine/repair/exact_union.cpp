@@ -8,11 +8,13 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numeric>
-#include <optional>
+#include <queue>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 
 namespace loopmend {
@@ -88,24 +90,27 @@ class Uniting {
       : model_(model),
         faces_(bodies),
         root_(bodies.size()),
-        bodies_(bodies.size()) {
+        bodies_(bodies.size()),
+        beside_(bodies.size()) {
     std::iota(root_.begin(), root_.end(), 0);
   }
 
   ExactUnions run(const std::vector<std::pair<int, int>>& pairs, const CancelToken& cancel) {
     ExactUnions result;
-    while (const auto next = smallest(pairs)) {
+    for (const auto& [a, b] : pairs) {
+      beside_[a].insert(b);
+      beside_[b].insert(a);
+      offer(a, b);
+    }
+    while (!next_.empty()) {
       if (cancel.cancelled()) return {};
-      const auto [a, b] = *next;
-      if (!unite(a, b)) {
-        failed_.insert(*next);
-        continue;
-      }
-      for (int& root : root_)
-        if (root == b) root = a;
-      std::erase_if(failed_, [a, b](const auto& pair) {
-        return pair.first == a || pair.second == a || pair.first == b || pair.second == b;
-      });
+      const auto [size, a, b] = next_.top();
+      next_.pop();
+      if (!beside_[a].contains(b) || size != size_of(a) + size_of(b)) continue;  // they are others by now
+      if (unite(a, b))
+        replace_both(a, b);
+      else
+        failed_.insert({a, b});
     }
     result.only_touching.assign(failed_.begin(), failed_.end());
     std::map<int, std::vector<int>> members;
@@ -116,19 +121,23 @@ class Uniting {
   }
 
  private:
-  /// Of the pairs that can still be united the one of fewest faces.
-  std::optional<std::pair<int, int>> smallest(const std::vector<std::pair<int, int>>& pairs) const {
-    std::optional<std::pair<int, int>> best;
-    std::size_t fewest = 0;
-    for (const auto& [first, second] : pairs) {
-      const std::pair<int, int> pair = std::minmax(root_[first], root_[second]);
-      if (pair.first == pair.second || failed_.contains(pair)) continue;
-      const std::size_t size = size_of(pair.first) + size_of(pair.second);
-      if (best && (size > fewest || (size == fewest && pair >= *best))) continue;
-      best = pair;
-      fewest = size;
+  void offer(int a, int b) { next_.emplace(size_of(a) + size_of(b), std::min(a, b), std::max(a, b)); }
+
+  /// `a` is the union of both: what is beside it, is tried again.
+  void replace_both(int a, int b) {
+    for (int& root : root_)
+      if (root == b) root = a;
+    std::erase_if(failed_, [a, b](const auto& pair) {
+      return pair.first == a || pair.second == a || pair.first == b || pair.second == b;
+    });
+    for (int other : beside_[b]) {
+      beside_[other].erase(b);
+      if (other == a) continue;
+      beside_[other].insert(a);
+      beside_[a].insert(other);
     }
-    return best;
+    beside_[b].clear();
+    for (int other : beside_[a]) offer(a, other);
   }
 
   std::size_t size_of(int body) const {
@@ -217,7 +226,10 @@ class Uniting {
   const std::vector<std::vector<int>>& faces_;
   std::vector<int> root_;  ///< of each body the least that it is one with
   std::vector<std::unique_ptr<Body>> bodies_;
-  std::set<std::pair<int, int>> failed_;  ///< pairs of roots
+  std::vector<std::set<int>> beside_;                   ///< of each root those that it may be united with
+  std::set<std::pair<int, int>> failed_;                ///< pairs of roots
+  using Candidate = std::tuple<std::size_t, int, int>;  ///< faces of both, and the two roots
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> next_;
 };
 
 }  // namespace

@@ -277,7 +277,7 @@ class UnitedSoup {
 
   const TriangleSoup& soup_;
   TriangleSoup made_;
-  std::vector<Triangles> parts_;  ///< what is left of each face of the unions
+  std::vector<Triangles> parts_;  ///< that are left of each face of the unions
   std::vector<char> is_united_;
   DividedFaces divided_;
 };

@@ -173,8 +173,8 @@ def fill(
         repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled. Bodies that are
             closed but for small holes stay whole where they overlap.
-        union: the same as repair, and makes one body of closed ones that overlap; cavities stay. What is open or crosses itself
-            is left: `prepared["repaired"]["union"]` counts it.
+        union: the same as repair, and makes one body of closed ones that overlap; cavities stay. Open pieces and bodies
+            that cross themselves are left: `prepared["repaired"]["union"]` counts them.
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
             the extent of their piece of surface, for their holes to be filled.
         cut_no_data: removes the faces at vertices that mark missing data first, such as heights of -9999.
