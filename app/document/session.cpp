@@ -23,7 +23,6 @@ constexpr qint32 format_version = 11;  ///< no other one is read
 using Writer = SessionWriter;
 using Reader = SessionReader;
 
-
 void put(Writer& out, const ColorRange& range) {
   out.put(static_cast<qint32>(range.rule));
   out.put(range.percent);

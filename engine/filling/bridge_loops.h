@@ -16,8 +16,9 @@ namespace loopmend {
 
 /// One patch with all loops, in two shapes.
 struct Bridge {
-  Patch membrane;    ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
-  Patch start;       ///< where the flow begins: minimal surfaces between tubes pinch (docs/math/energy_to_matrix.md, "Starts")
+  Patch membrane;  ///< relaxed towards a membrane: the paper's kind of initial surface, and what a person sees first
+  Patch
+      start;  ///< where the flow begins: minimal surfaces between tubes pinch (docs/math/energy_to_matrix.md, "Starts")
   Validity quality;  ///< of the start
   /// A ring between two walls that end (ring_bridge.h) is flat or conical: both shapes are the same, and no flow is to round it.
   enum class Kind { smooth, ring } kind = Kind::smooth;

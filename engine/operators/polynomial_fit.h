@@ -28,7 +28,7 @@ enum class Centre {
 };
 
 enum class Outliers {
-  count,  ///< plain least squares
+  count,         ///< plain least squares
   weighted_down  ///< Huber's weights at 1.5 × 1.4826 × median |residual|, four rounds (docs/math/energy_to_matrix.md, "Rough boundaries")
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far patches lie from a surface that is known: fills each hole of SCAN by itself with the default settings and
 // prints the distance of the new vertices to TRUTH, in units of the hole's diameter.
-#include "pipeline/fill_holes.h"
 #include "io/read_mesh.h"
+#include "pipeline/fill_holes.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rough_problem.h"
 
-#include "pipeline/validate.h"
 #include "known_surfaces.h"
+#include "pipeline/validate.h"
 #include "region_cut.h"
 #include "samples/analytic_surfaces.h"
 #include "scans.h"

@@ -379,7 +379,8 @@ TEST_F(Batch, CallsFilledOnlyWhatHasAPatch) {
 TEST_F(Batch, ShowsPicturesInAPageThatNeedsNoOtherFile) {
   write_ball(scans / "a & b.ply", 0.9);
   write_split(scans / "split.off");
-  ASSERT_EQ(test::loopmend_program("batch " + path("scans") + "-o " + path("results") + "--no-auto --pictures open").code, 0);
+  ASSERT_EQ(
+      test::loopmend_program("batch " + path("scans") + "-o " + path("results") + "--no-auto --pictures open").code, 0);
   EXPECT_FALSE(fs::exists(results / "pictures/a & b.ply.png"));
   EXPECT_TRUE(fs::exists(results / "pictures/split.off.png"));
   ASSERT_EQ(test::loopmend_program("batch " + path("scans") + "-o " + path("results")).code, 0);

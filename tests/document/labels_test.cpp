@@ -15,7 +15,8 @@ SeamReport seam(double angle_deg, double jump) {
 }
 
 bool praises(const SeamReport& before, const SeamReport& now) {
-  return labels::seam_sentence(before, now, PatchStatus::converged, Grade::good).contains(QStringLiteral("times smaller"));
+  return labels::seam_sentence(before, now, PatchStatus::converged, Grade::good)
+      .contains(QStringLiteral("times smaller"));
 }
 
 TEST(SeamSentence, PraisesASmallerJumpOfCurvature) {

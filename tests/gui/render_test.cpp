@@ -5,9 +5,9 @@
 #include "core/error.h"
 #include "mesh/boundary_loops.h"
 #include "samples/sample_scan.h"
-#include "scene/offscreen_window.h"
 #include "scene/mesh_scene.h"
 #include "scene/offscreen_render.h"
+#include "scene/offscreen_window.h"
 #include "scene/shape_glide.h"
 
 #include <QFile>

@@ -97,9 +97,7 @@ TEST(Dissection, FillsUpAsNestedDissectionDoes) {
 
 TEST(Dissection, IsTheSameForAnyNumberOfThreads) {
   const MatrixGraph graph = graph_of(grid(70, 50, 3));
-  const auto order_by = [&](int threads) {
-    return with_thread_budget(threads, [&] { return dissect(graph).order; });
-  };
+  const auto order_by = [&](int threads) { return with_thread_budget(threads, [&] { return dissect(graph).order; }); };
   EXPECT_EQ(order_by(1), order_by(2));
 }
 
