@@ -150,7 +150,7 @@ std::string words_of(const RepairCounts& counts) {
   }
   add(counts.cut_handles, "tiny handle cut open", "tiny handles cut open");
   if (counts.cut_handles > 0) words += " (" + counted(counts.handle_faces, "face", "faces") + ")";
-  add(counts.removed_pieces, "crumb removed", "crumbs removed");
+  add(counts.removed_pieces, "fragment removed", "fragments removed");
   if (counts.removed_pieces > 0) words += " (" + counted(counts.removed_faces, "face", "faces") + ")";
   return words;
 }

@@ -134,7 +134,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "--repair", words.repair,
       "Make an oriented manifold of the mesh first: separate edges with more than two faces, turn faces, bodies "
       "that are inside out among them, remove "
-      "degenerate and duplicate faces and crumbs");
+      "degenerate and duplicate faces and fragments");
   fill->add_flag(
       "--cut-intersections", words.cut_intersections,
       "Repair as --repair does, and remove faces that cut others; the holes that this leaves are filled; closed "

@@ -54,7 +54,7 @@ const Words all_words[] = {
          "loopmend::RepairDialog",
          "Struts and tunnels of at most eight edges around: most come from noise, some may be real. Holes are "
          "left of each, to be filled")},
-    {Defect::crumbs, "Crumbs", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny loose pieces"),
+    {Defect::fragments, "Fragments", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny loose components"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
                        "Pieces of up to ten faces and a twentieth of the extent of the largest piece")},
@@ -69,7 +69,7 @@ std::size_t count_of(Defect defect, const RepairCounts& counts) {
     case Defect::non_manifold: return counts.separated_edges + counts.separated_vertices + counts.turned_faces;
     case Defect::overlaps: return counts.overlapping_bodies;
     case Defect::handles: return counts.cut_handles;
-    case Defect::crumbs: return counts.removed_pieces;
+    case Defect::fragments: return counts.removed_pieces;
   }
   return 0;
 }

@@ -34,7 +34,8 @@ const Substitute substitutes[] = {
          "faces that are double or without area. First press Repair\u2026 in the tab Patch.")},
     {"close it, or let its boundary loops become smooth curves (--open)",
      QT_TRANSLATE_NOOP("Message", "close it, or tick Smooth boundaries")},
-    {"--repair removes such crumbs", QT_TRANSLATE_NOOP("Message", "Repair\u2026 in the tab Patch removes such crumbs")},
+    {"--repair removes such fragments",
+     QT_TRANSLATE_NOOP("Message", "Repair\u2026 in the tab Patch removes such fragments")},
     {"--edges round runs the flow", QT_TRANSLATE_NOOP("Message", "without Sharp edges the flow runs")},
     {"its edges are too short for its size: left open; a smaller density needs less memory",
      QT_TRANSLATE_NOOP("Message",
@@ -45,11 +46,12 @@ const Substitute substitutes[] = {
                        "Density needs less")},
     {"not enough memory for this hole: left open; a smaller density needs less",
      QT_TRANSLATE_NOOP("Message", "not enough memory for this hole: left open; a smaller Density needs less")},
-    {"removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the "
+    {"removing loose fragments in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the "
      "hole (--bridge) may help",
-     QT_TRANSLATE_NOOP("Message",
-                       "removing loose crumbs in its way (Repair\u2026 in the tab Patch), Trim there or a strip across "
-                       "the hole (Bridge in the tab Tools) may help")},
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "removing loose fragments in its way (Repair\u2026 in the tab Patch), Trim there or a strip across "
+         "the hole (Bridge in the tab Tools) may help")},
     {"remove what crosses (--trim-crossing)",
      QT_TRANSLATE_NOOP("Message", "Trim crossing triangles in the menu Patch may help")},
     {"'loopmend blend --loops 1:%1,1:%2' joins the two by one surface",

@@ -74,7 +74,7 @@ QStringList list_of(const RepairCounts& counts) {
   add(counts.turned_faces, FillController::tr("%Ln faces turned", nullptr, n(counts.turned_faces)));
   add(counts.united.bodies, FillController::tr("%Ln bodies united", nullptr, n(counts.united.bodies)));
   add(counts.cut_handles, FillController::tr("%Ln tiny handles cut open", nullptr, n(counts.cut_handles)));
-  add(counts.removed_pieces, FillController::tr("%Ln loose crumbs removed", nullptr, n(counts.removed_pieces)));
+  add(counts.removed_pieces, FillController::tr("%Ln loose fragments removed", nullptr, n(counts.removed_pieces)));
   return done;
 }
 

@@ -129,7 +129,7 @@ const char* to_string(BoundaryFault fault) {
     case BoundaryFault::spike: return "spike";
     case BoundaryFault::flipped: return "flipped";
     case BoundaryFault::crossing: return "crossing";
-    case BoundaryFault::crumb: return "crumb";
+    case BoundaryFault::fragment: return "fragment";
   }
   return "";
 }
@@ -181,7 +181,7 @@ std::vector<BadBoundaryFace> pierced_faces(const SurfaceModel& model, const std:
 }
 
 /// Triangles of pieces of at most two that have one of these soup points: what trimming has cut off. Not the whole mesh.
-std::vector<BadBoundaryFace> crumbs_at(const SurfaceModel& model, const std::set<int>& points) {
+std::vector<BadBoundaryFace> fragments_at(const SurfaceModel& model, const std::set<int>& points) {
   std::set<int> faces;
   const auto beside = [&](int f) {
     std::vector<int> others;
@@ -197,10 +197,10 @@ std::vector<BadBoundaryFace> crumbs_at(const SurfaceModel& model, const std::set
     faces.insert(model.soup_face[f.idx()]);
     for (int g : others) faces.insert(model.soup_face[g]);
   }
-  std::vector<BadBoundaryFace> crumbs;
-  if (faces.size() == model.soup.triangles.size()) return crumbs;
-  for (int f : faces) crumbs.push_back({f, BoundaryFault::crumb, 1});
-  return crumbs;
+  std::vector<BadBoundaryFace> fragments;
+  if (faces.size() == model.soup.triangles.size()) return fragments;
+  for (int f : faces) fragments.push_back({f, BoundaryFault::fragment, 1});
+  return fragments;
 }
 
 /// A surface that loses triangles round by round.
@@ -219,8 +219,8 @@ class Trimming {
   /// @param bad  by rising number
   void remove(const std::vector<BadBoundaryFace>& bad, int round) {
     take(bad, round);
-    if (const std::vector<BadBoundaryFace> crumbs = crumbs_at(result_.model, cut_); !crumbs.empty())
-      take(crumbs, round);
+    if (const std::vector<BadBoundaryFace> fragments = fragments_at(result_.model, cut_); !fragments.empty())
+      take(fragments, round);
     result_.loops.clear();
     for (BoundaryLoop& loop : find_boundary_loops(result_.model))
       if (std::any_of(loop.vertices.begin(), loop.vertices.end(),

@@ -15,7 +15,7 @@ enum class BoundaryFault {
   spike,     ///< at a boundary vertex all of whose triangles lean by more than 60° against what lies round about
   flipped,   ///< turned by more than 120° against some neighbour
   crossing,  ///< cuts another triangle of the surface, so that every patch at its open edge would; found by trimming alone
-  crumb,     ///< one of at most two triangles that trimming cut off from the rest
+  fragment,  ///< one of at most two triangles that trimming cut off from the rest
 };
 
 const char* to_string(BoundaryFault fault);

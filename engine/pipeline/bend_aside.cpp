@@ -13,12 +13,12 @@ namespace loopmend {
 namespace {
 
 constexpr int most_rounds = 6;
-constexpr std::size_t most_crumb_faces = 4000;
-constexpr double largest_crumb = 0.15;  ///< of the patch's extent
-/// How far the patch stays away from a crumb, in mean edges of the triangles that cut it.
+constexpr std::size_t most_fragment_faces = 4000;
+constexpr double largest_fragment = 0.15;  ///< of the patch's extent
+/// How far the patch stays away from a fragment, in mean edges of the triangles that cut it.
 constexpr double clearance = 0.5;
 
-struct Crumb {
+struct Fragment {
   Points points;
   std::set<int> cut_by;  ///< triangles of the patch
 };
@@ -34,42 +34,42 @@ class Bender {
   }
 
   /// @returns nothing where it cuts anything else
-  std::optional<std::vector<Crumb>> crumbs_in_the_way() const {
-    std::vector<Crumb> crumbs;
-    std::unordered_map<int, std::size_t> crumb_of_face;
+  std::optional<std::vector<Fragment>> fragments_in_the_way() const {
+    std::vector<Fragment> fragments;
+    std::unordered_map<int, std::size_t> fragment_of_face;
     for (const auto& [own, face] : cuts_of(scan_, patch_)) {
       if (face < 0) return std::nullopt;
-      if (!crumb_of_face.contains(face)) {
+      if (!fragment_of_face.contains(face)) {
         const std::vector<int> faces = small_piece(face);
         if (faces.empty()) return std::nullopt;
-        Crumb crumb;
+        Fragment fragment;
         for (int f : faces) {
-          crumb_of_face[f] = crumbs.size();
-          for (int v : soup().triangles[f]) crumb.points.push_back(soup().points[v]);
+          fragment_of_face[f] = fragments.size();
+          for (int v : soup().triangles[f]) fragment.points.push_back(soup().points[v]);
         }
-        crumbs.push_back(std::move(crumb));
+        fragments.push_back(std::move(fragment));
       }
-      crumbs[crumb_of_face.at(face)].cut_by.insert(own);
+      fragments[fragment_of_face.at(face)].cut_by.insert(own);
     }
-    return crumbs;
+    return fragments;
   }
 
-  void bend_around(const Crumb& crumb, double more) {
+  void bend_around(const Fragment& fragment, double more) {
     Vec3 normal = Vec3::Zero(), middle = Vec3::Zero(), origin = Vec3::Zero();
     double edges = 0;
-    for (int t : crumb.cut_by) {
+    for (int t : fragment.cut_by) {
       const Triangle& tri = patch_.triangles[t];
       const Vec3 a = at(tri[0]), b = at(tri[1]), c = at(tri[2]);
       normal += (b - a).cross(c - a);
       origin += (a + b + c) / 3;
       edges += ((b - a).norm() + (c - b).norm() + (a - c).norm()) / 3;
     }
-    const auto count = static_cast<double>(crumb.cut_by.size());
+    const auto count = static_cast<double>(fragment.cut_by.size());
     origin /= count;
     normal.normalize();
-    for (const Vec3& p : crumb.points) middle += p / static_cast<double>(crumb.points.size());
+    for (const Vec3& p : fragment.points) middle += p / static_cast<double>(fragment.points.size());
     double low = 0, high = 0, radius = 0;
-    for (const Vec3& p : crumb.points) {
+    for (const Vec3& p : fragment.points) {
       const double height = (p - origin).dot(normal);
       low = std::min(low, height);
       high = std::max(high, height);
@@ -93,7 +93,7 @@ class Bender {
   Vec3 at(int i) const { return patch_.to_mesh(patch_.positions[i]); }
   const TriangleSoup& soup() const { return scan_.model.soup; }
 
-  /// All faces that hang together with this one by vertices; empty where they are no crumb.
+  /// All faces that hang together with this one by vertices; empty where they are no fragment.
   std::vector<int> small_piece(int face) const {
     std::vector<int> piece{face};
     std::set<int> seen{face};
@@ -106,7 +106,7 @@ class Bender {
         here.extend(soup().points[v]);
       }
       box.extend(here);
-      if (piece.size() > most_crumb_faces || box.diagonal().norm() > largest_crumb * extent_) return {};
+      if (piece.size() > most_fragment_faces || box.diagonal().norm() > largest_fragment * extent_) return {};
       for (int next : scan_.index.near_box(here.min(), here.max())) {
         const Triangle& n = soup().triangles[next];
         if (std::find_first_of(n.begin(), n.end(), t.begin(), t.end()) != n.end() && seen.insert(next).second)
@@ -129,21 +129,21 @@ std::optional<BentPatch> bent_aside(const ScanIndex& scan, const Patch& patch, c
   BentPatch bent{patch, {}, 0};
   Bender bender(scan, bent.patch);
   for (int round = 0; round < most_rounds && !cancel.cancelled(); ++round) {
-    const auto crumbs = bender.crumbs_in_the_way();
-    if (!crumbs) return std::nullopt;
-    if (crumbs->empty()) {
+    const auto fragments = bender.fragments_in_the_way();
+    if (!fragments) return std::nullopt;
+    if (fragments->empty()) {
       bent.validity = validate(scan, bent.patch);
       if (bent.validity.intersections > 0 || bent.validity.folds > validity.folds) return std::nullopt;
       return bent;
     }
-    bent.crumbs = std::max(bent.crumbs, static_cast<int>(crumbs->size()));
-    for (const Crumb& crumb : *crumbs) bender.bend_around(crumb, 1 + round);
+    bent.fragments = std::max(bent.fragments, static_cast<int>(fragments->size()));
+    for (const Fragment& fragment : *fragments) bender.bend_around(fragment, 1 + round);
   }
   return std::nullopt;
 }
 
 Message bent_message() {
-  return joined(say("bent past loose crumbs of surface in the hole"), "; ", say("--repair removes such crumbs"))
+  return joined(say("bent past loose fragments of surface in the hole"), "; ", say("--repair removes such fragments"))
       .with_code("bent");
 }
 

@@ -451,8 +451,8 @@ std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& mo
     if (!numbers.contains(all[found.hole].number)) continue;
     std::vector<BoundaryLoop> place{all[found.hole]};
     for (int island : found.islands) {
-      const bool is_crumb = all[island].diameter < least_island * place.front().diameter;
-      if (!is_crumb && find_opposed_loops(model, {place.front(), all[island]}).empty()) place.push_back(all[island]);
+      const bool is_fragment = all[island].diameter < least_island * place.front().diameter;
+      if (!is_fragment && find_opposed_loops(model, {place.front(), all[island]}).empty()) place.push_back(all[island]);
     }
     if (place.size() > 1) places.push_back(std::move(place));
   }

@@ -69,7 +69,7 @@ std::vector<HoleResult> fill_holes(SurfaceModel& model, const std::vector<Bounda
                                    const CancelToken& cancel);
 
 /// The holes among `asked` in which pieces of surface lie that can be joined to them, each as the hole followed by the loops of
-/// these islands. Crumbs, and pieces that face the hole with their inside, are no such pieces.
+/// these islands. Fragments, and pieces that face the hole with their inside, are no such pieces.
 std::vector<std::vector<BoundaryLoop>> holes_with_islands(const SurfaceModel& model,
                                                           const std::vector<BoundaryLoop>& asked);
 

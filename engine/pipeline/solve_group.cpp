@@ -32,7 +32,7 @@ Message why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int inter
   return joined(
              say("every patch that was found would cut the surface or itself, in %1 places: left open", intersections),
              "; ",
-             say("removing loose crumbs in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip "
+             say("removing loose fragments in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip "
                  "across the hole "
                  "(--bridge) may help"))
       .with_code("every_patch_crosses");
@@ -191,7 +191,7 @@ class GroupSolver {
     if (cancel_.cancelled()) return result;
     if (made.validity.intersections > 0 && initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops)
       solve_from_uncut_triangles(initial, made, result.holes.front().message);
-    if (made.validity.intersections > 0) bend_past_crumbs(initial, made);
+    if (made.validity.intersections > 0) bend_past_fragments(initial, made);
     if (cancel_.cancelled()) return result;
     const bool valid = made.validity.intersections == 0;
     if (!valid) {
@@ -256,8 +256,8 @@ class GroupSolver {
     }
   }
 
-  void bend_past_crumbs(const InitialPatch& initial, PatchResult& made) const {
-    made.attempts.emplace_back(text_to_say("bent past crumbs"));
+  void bend_past_fragments(const InitialPatch& initial, PatchResult& made) const {
+    made.attempts.emplace_back(text_to_say("bent past fragments"));
     std::optional<BentPatch> bent = bent_aside(scan_, made.patch, made.validity, cancel_);
     if (!bent) return;
     made.patch = std::move(bent->patch);

@@ -22,15 +22,15 @@ namespace loopmend {
 
 namespace {
 
-/// A piece of at most so many faces and of at most this share of the largest one's extent is a crumb of the scan.
-constexpr int most_faces_of_a_crumb = 10;
-constexpr double extent_of_a_crumb = 0.05;
+/// A piece of at most so many faces and of at most this share of the largest one's extent is a fragment of the scan.
+constexpr int most_faces_of_a_fragment = 10;
+constexpr double extent_of_a_fragment = 0.05;
 /// Openings of a body that is closed but for small holes, as a part of its area.
 constexpr double most_open = 0.05;
 constexpr int most_joins_of_separated = 10;  ///< 2 were the most in 24 scans
 
-/// For each view face whether its piece of surface is a crumb. @param pieces  is set to the number of crumbs.
-std::vector<char> in_crumbs(const TriMesh& mesh, std::size_t& pieces) {
+/// For each view face whether its piece of surface is a fragment. @param pieces  is set to the number of fragments.
+std::vector<char> in_fragments(const TriMesh& mesh, std::size_t& pieces) {
   const std::vector<int> piece = pieces_of(mesh);
   std::vector<int> faces(piece.size(), 0);
   std::vector<Eigen::AlignedBox3d> box(piece.size());
@@ -41,12 +41,12 @@ std::vector<char> in_crumbs(const TriMesh& mesh, std::size_t& pieces) {
   const auto extent = [&](int p) { return faces[p] > 0 ? box[p].diagonal().norm() : 0.0; };
   double largest = 0;
   for (int p = 0; p < static_cast<int>(faces.size()); ++p) largest = std::max(largest, extent(p));
-  const auto is_crumb = [&](int p) {
-    return faces[p] > 0 && faces[p] <= most_faces_of_a_crumb && extent(p) <= extent_of_a_crumb * largest;
+  const auto is_fragment = [&](int p) {
+    return faces[p] > 0 && faces[p] <= most_faces_of_a_fragment && extent(p) <= extent_of_a_fragment * largest;
   };
-  for (int p = 0; p < static_cast<int>(faces.size()); ++p) pieces += is_crumb(p);
+  for (int p = 0; p < static_cast<int>(faces.size()); ++p) pieces += is_fragment(p);
   std::vector<char> result(piece.size());
-  for (std::size_t f = 0; f < piece.size(); ++f) result[f] = is_crumb(piece[f]);
+  for (std::size_t f = 0; f < piece.size(); ++f) result[f] = is_fragment(piece[f]);
   return result;
 }
 
@@ -297,11 +297,11 @@ void cut_handles(TriangleSoup& soup, RepairCounts& counts, const CancelToken& ca
   counts.handle_faces = remove(soup, gone);
 }
 
-void remove_crumbs(TriangleSoup& soup, RepairCounts& counts) {
+void remove_fragments(TriangleSoup& soup, RepairCounts& counts) {
   const SurfaceModel model = make_surface_model(soup);
-  const std::vector<char> crumb = in_crumbs(model.mesh, counts.removed_pieces);
+  const std::vector<char> fragment = in_fragments(model.mesh, counts.removed_pieces);
   std::vector<char> gone(soup.triangles.size(), 0);
-  for (std::size_t f = 0; f < crumb.size(); ++f) gone[model.soup_face[f]] = crumb[f];
+  for (std::size_t f = 0; f < fragment.size(); ++f) gone[model.soup_face[f]] = fragment[f];
   counts.removed_faces = remove(soup, gone);
 }
 
@@ -342,8 +342,8 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
         unite(result.soup, counts, cancel);
         break;
       case Defect::handles: cut_handles(result.soup, counts, cancel); break;
-      case Defect::crumbs:
-        remove_crumbs(result.soup, counts);
+      case Defect::fragments:
+        remove_fragments(result.soup, counts);
         if (defects.contains(Defect::coincident_points)) counts.joined_points += join_coincident(result.soup);
         break;
     }
@@ -356,9 +356,9 @@ RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel) 
     return cancel.cancelled() ? RepairCounts{} : repair_surface(soup, {defect}, cancel).counts;
   };
   RepairCounts counts = alone(Defect::non_manifold);
-  const RepairCounts crumbs = alone(Defect::crumbs);
-  counts.removed_pieces = crumbs.removed_pieces;
-  counts.removed_faces = crumbs.removed_faces;
+  const RepairCounts fragments = alone(Defect::fragments);
+  counts.removed_pieces = fragments.removed_pieces;
+  counts.removed_faces = fragments.removed_faces;
   const RepairCounts handles = alone(Defect::handles);
   counts.cut_handles = handles.cut_handles;
   counts.handle_faces = handles.handle_faces;

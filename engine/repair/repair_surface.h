@@ -21,14 +21,14 @@ enum class Defect {
   /// Edges of more than two faces, fans that meet at a vertex: separated. Faces are turned to agree, and those of bodies
   /// that are closed but for small holes to look outward (inverted_shells.h).
   non_manifold,
-  overlaps,  ///< closed bodies that overlap: united (unite_bodies.h)
-  handles,   ///< of a few edges: cut open, which leaves two holes each to be filled
-  crumbs,    ///< tiny pieces of surface: removed
+  overlaps,   ///< closed bodies that overlap: united (unite_bodies.h)
+  handles,    ///< of a few edges: cut open, which leaves two holes each to be filled
+  fragments,  ///< tiny pieces of surface: removed
 };
 
 /// What makes a manifold without removing anything that a person would miss.
 inline const std::set<Defect> harmless_repairs{Defect::degenerate_faces, Defect::duplicate_faces, Defect::non_manifold,
-                                               Defect::crumbs};
+                                               Defect::fragments};
 
 /// What was done. All 0 for a sound mesh.
 struct RepairCounts {

@@ -32,12 +32,12 @@ void add(TriangleSoup& soup, const TriangleSoup& more, const std::function<Vec3(
 }
 
 /// With a triangle by itself, whose boundary is no hole.
-TriangleSoup ball_with_crumb() {
+TriangleSoup ball_with_fragment() {
   TriangleSoup soup = open_ball(3);
-  TriangleSoup crumb;
-  crumb.points = {Vec3(3, 0, 0), Vec3(4, 0, 0), Vec3(3, 1, 0)};
-  crumb.triangles = {{0, 1, 2}};
-  add(soup, crumb, [](const Vec3& p) { return p; });
+  TriangleSoup fragment;
+  fragment.points = {Vec3(3, 0, 0), Vec3(4, 0, 0), Vec3(3, 1, 0)};
+  fragment.triangles = {{0, 1, 2}};
+  add(soup, fragment, [](const Vec3& p) { return p; });
   return soup;
 }
 
@@ -89,10 +89,10 @@ void GermanTest::no_english_message_is_shown_data() {
   QTest::addColumn<QString>("button");
   QTest::addColumn<int>("boundary");
   QTest::addColumn<QString>("told");
-  const QString crumb = file(QStringLiteral("crumb.ply"), ball_with_crumb());
+  const QString fragment = file(QStringLiteral("fragment.ply"), ball_with_fragment());
   const QString needle = file(QStringLiteral("needle.ply"), ball_with_needle());
   const QString rough = file(QStringLiteral("rough.ply"), rough_ball());
-  QTest::newRow("no hole") << crumb << QStringLiteral("fill") << 0 << QStringLiteral("eines einzelnen Dreiecks");
+  QTest::newRow("no hole") << fragment << QStringLiteral("fill") << 0 << QStringLiteral("eines einzelnen Dreiecks");
   QTest::newRow("cannot be filled") << needle << QStringLiteral("fillAndSmooth") << 0
                                     << QStringLiteral("\u201eBeschneiden\u201c im Reiter Flicken");
   QTest::newRow("rough") << rough << QStringLiteral("fillAndSmooth") << 0

@@ -336,7 +336,7 @@ void MessagesTest::whatever_cannot_be_filled_leads_on_data() {
                          << QStringLiteral("Stitch");
   QTest::newRow("cut") << file(QStringLiteral("fin.ply"), with_triangle({some[0], some[1], n}, {Vec3(0, 0, -3)}))
                        << static_cast<int>(LoopKind::cut) << QStringLiteral("repairAction") << QStringLiteral("Repair");
-  QTest::newRow("failed") << file(QStringLiteral("crumb.ply"),
+  QTest::newRow("failed") << file(QStringLiteral("fragment.ply"),
                                   with_triangle({n, n + 1, n + 2}, {Vec3(3, 0, 0), Vec3(4, 0, 0), Vec3(3, 1, 0)}))
                           << static_cast<int>(LoopKind::outer_rim) << QStringLiteral("trimAction")
                           << QStringLiteral("Trim");

@@ -55,7 +55,7 @@ QString counted(RepairDialog* dialog, const char* what) {
 }
 
 bool has_counted(RepairDialog* dialog) {
-  return wait_until([&] { return counted(dialog, "Crumbs") != QStringLiteral("\u2026"); }, 3 * minutes);
+  return wait_until([&] { return counted(dialog, "Fragments") != QStringLiteral("\u2026"); }, 3 * minutes);
 }
 
 void fix(RepairDialog* dialog, const char* button) { dialog->findChild<QPushButton*>(QLatin1String(button))->click(); }
@@ -212,8 +212,8 @@ void RepairTest::defects_are_listed_and_mended_one_by_one() {
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
   QCOMPARE(counted(dialog, "Duplicate"), QStringLiteral("1"));
   QCOMPARE(counted(dialog, "Intersecting"), QStringLiteral("1"));
-  QCOMPARE(counted(dialog, "Crumbs"), QStringLiteral("none"));
-  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("fixCrumbs"))->isEnabled());
+  QCOMPARE(counted(dialog, "Fragments"), QStringLiteral("none"));
+  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("fixFragments"))->isEnabled());
   fix(dialog, "fixDuplicate");
   QVERIFY(wait_idle(window) && has_counted(dialog));
   QCOMPARE(counted(dialog, "Duplicate"), QStringLiteral("none"));
@@ -302,7 +302,7 @@ void RepairTest::fix_all_leaves_nothing_to_fix() {
   QVERIFY(dialog && has_counted(dialog));
   fix(dialog, "repairAll");
   QVERIFY(wait_idle(window) && has_counted(dialog));
-  for (const char* kind : {"Coincident", "Degenerate", "Duplicate", "Intersecting", "NonManifold", "Crumbs"})
+  for (const char* kind : {"Coincident", "Degenerate", "Duplicate", "Intersecting", "NonManifold", "Fragments"})
     QCOMPARE(counted(dialog, kind), QStringLiteral("none"));
   QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled());
   QCOMPARE(counted(dialog, "Handles").toInt() > 0, has_handles);  // they may be real

@@ -33,7 +33,7 @@ QString write_obstructed_sphere(const QString& path) {
       cut(make_icosphere(4), [&](const Vec3& p) { return within(p, large, 0.5) || within(p, small, 0.3); });
   TriangleSoup plate;
   for (double x : {-0.1, 0.1})
-    for (double z : {0.95, 1.8}) plate.points.emplace_back(x, 0, z);  // too large for a crumb
+    for (double z : {0.95, 1.8}) plate.points.emplace_back(x, 0, z);  // too large for a fragment
   plate.triangles = {{0, 2, 1}, {1, 2, 3}};
   write_mesh(path.toStdString(), joined({sphere, plate}));
   return path;

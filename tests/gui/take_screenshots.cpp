@@ -347,15 +347,15 @@ void show_scene(MainWindow& window) {
   part<QDockWidget>(window, "holesDock")->raise();
 }
 
-/// A ball with a duplicate triangle, a crumb beside it, and a spike through its other side.
+/// A ball with a duplicate triangle, a fragment beside it, and a spike through its other side.
 TriangleSoup faulty_ball() {
   TriangleSoup ball = make_icosphere(4);
   ball.triangles.push_back(ball.triangles.front());
   *std::max_element(ball.points.begin(), ball.points.end(),
                     [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); }) = {0.02, 0.03, -1.3};
-  const int crumb = static_cast<int>(ball.points.size());
+  const int fragment = static_cast<int>(ball.points.size());
   for (const Vec3& at : {Vec3(1.3, 0, 0), Vec3(1.31, 0, 0), Vec3(1.3, 0.01, 0)}) ball.points.push_back(at);
-  ball.triangles.push_back({crumb, crumb + 1, crumb + 2});
+  ball.triangles.push_back({fragment, fragment + 1, fragment + 2});
   return ball;
 }
 

@@ -174,9 +174,9 @@ TEST(TrimBoundary, TakesOnlyWhatRunsThroughTheSurface) {
   EXPECT_TRUE(trim_pierced(model, {}).removed.empty());
 }
 
-TEST(TrimBoundary, TakesTheCrumbsThatItCutsOff) {
+TEST(TrimBoundary, TakesTheFragmentsThatItCutsOff) {
   TriangleSoup soup = pierced_grid();
-  // Two triangles beyond the one that crosses, and a crumb of two that nothing is cut from.
+  // Two triangles beyond the one that crosses, and a fragment of two that nothing is cut from.
   const int last = static_cast<int>(soup.points.size()) - 1;
   soup.points.emplace_back(4.6, 1.2, -1.2);
   soup.points.emplace_back(4.2, 1.0, -1.4);
@@ -192,7 +192,7 @@ TEST(TrimBoundary, TakesTheCrumbsThatItCutsOff) {
   for (const BadBoundaryFace& bad : trimmed.removed) removed[bad.face] = bad.fault;
   EXPECT_EQ(removed, (std::map<int, BoundaryFault>{{first - 1, BoundaryFault::crossing},
                                                    {first, BoundaryFault::crossing},
-                                                   {first + 1, BoundaryFault::crumb}}));
+                                                   {first + 1, BoundaryFault::fragment}}));
 }
 
 TEST(TrimBoundary, ABoundaryThatWasMendedIsFilledLikeOneThatWasNeverBad) {

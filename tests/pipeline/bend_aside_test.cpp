@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hole with crumbs of other surface in it.
+// A hole with fragments of other surface in it.
 #include "pipeline/bend_aside.h"
 
 #include "mesh/join_parts.h"
@@ -22,9 +22,9 @@ TriangleSoup small_ball(const Vec3& at, double radius) {
 }
 
 /// A ball of radius 1 without its cap, with balls of radius 0.04 about where the cap was.
-SurfaceModel open_ball(const std::vector<Vec3>& crumbs, double radius = 0.04) {
+SurfaceModel open_ball(const std::vector<Vec3>& fragments, double radius = 0.04) {
   std::vector<TriangleSoup> parts{trim_boundaries(cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.8; }))};
-  for (const Vec3& at : crumbs) parts.push_back(small_ball(at, radius));
+  for (const Vec3& at : fragments) parts.push_back(small_ball(at, radius));
   return make_surface_model(joined(parts));
 }
 
@@ -35,11 +35,11 @@ Patch initial_patch(const SurfaceModel& model) {
 /// On the sphere that the cap is a part of.
 Vec3 on_cap(double x, double y, double radius = 1) { return radius * Vec3(x, y, 1).normalized(); }
 
-TEST(BendAside, OnlyFreeVerticesNearTheCrumbMove) {
+TEST(BendAside, OnlyFreeVerticesNearTheFragmentMove) {
   const SurfaceModel model = open_ball({Vec3(0.1, 0, 0.8)});
   const ScanIndex scan(model);
   Patch patch = initial_patch(open_ball({}));
-  // Flat, at the height of the crumb's middle.
+  // Flat, at the height of the fragment's middle.
   for (int i = 0; i < patch.free_count; ++i) {
     const Vec3 p = patch.to_mesh(patch.positions[i]);
     patch.positions[i] = patch.to_frame({p.x(), p.y(), 0.8});
@@ -47,7 +47,7 @@ TEST(BendAside, OnlyFreeVerticesNearTheCrumbMove) {
   ASSERT_GT(validate(scan, patch).intersections, 0);
   const auto bent = bent_aside(scan, patch, validate(scan, patch), {});
   ASSERT_TRUE(bent);
-  EXPECT_EQ(bent->crumbs, 1);
+  EXPECT_EQ(bent->fragments, 1);
   EXPECT_EQ(bent->validity.intersections, 0);
   EXPECT_EQ(validate(scan, bent->patch).intersections, 0);
   int moved = 0;
@@ -61,7 +61,7 @@ TEST(BendAside, OnlyFreeVerticesNearTheCrumbMove) {
   EXPECT_GT(moved, 3);
 }
 
-TEST(BendAside, WhatIsNoCrumbIsNotPassed) {
+TEST(BendAside, WhatIsNoFragmentIsNotPassed) {
   const Patch patch = initial_patch(open_ball({}));
   const SurfaceModel large = open_ball({on_cap(0, 0)}, 0.3);
   const ScanIndex scan(large);
@@ -69,19 +69,19 @@ TEST(BendAside, WhatIsNoCrumbIsNotPassed) {
   EXPECT_FALSE(bent_aside(scan, patch, validate(scan, patch), {}));
 }
 
-TEST(BendAside, AHoleWithCrumbsInItIsFilled) {
-  for (const std::vector<Vec3>& crumbs :
+TEST(BendAside, AHoleWithFragmentsInItIsFilled) {
+  for (const std::vector<Vec3>& fragments :
        {std::vector<Vec3>{on_cap(0.05, 0)}, {on_cap(0.2, 0.1), on_cap(-0.15, -0.2), on_cap(0, 0.3)}}) {
-    SurfaceModel model = open_ball(crumbs);
+    SurfaceModel model = open_ball(fragments);
     const TriangleSoup before = model.soup;
     const HoleResult result = fill_holes(model, find_boundary_loops(model), {}, nullptr, {}).at(0);
     ASSERT_TRUE(is_filled(result.status)) << result.message;
     EXPECT_EQ(result.outcome().made_by, "flow");
-    EXPECT_NE(result.message.english().find("bent past loose crumbs"), std::string::npos) << result.message;
+    EXPECT_NE(result.message.english().find("bent past loose fragments"), std::string::npos) << result.message;
     EXPECT_TRUE(find_boundary_loops(model).empty());
     EXPECT_EQ(test::count_self_intersections(before, model.soup), 0u);
     EXPECT_TRUE(std::equal(before.points.begin(), before.points.end(), model.soup.points.begin()));
-    EXPECT_LT(result.seam_after().g1_rms_deg, 1) << "the seam is far from the crumbs";
+    EXPECT_LT(result.seam_after().g1_rms_deg, 1) << "the seam is far from the fragments";
   }
 }
 
@@ -95,17 +95,17 @@ TEST(BendAside, SoIsThePatchWithoutAFlow) {
   options.evolution.reset();
   const HoleResult result = fill_holes(model, find_boundary_loops(model), options, nullptr, {}).at(0);
   ASSERT_TRUE(is_filled(result.status)) << result.message;
-  EXPECT_EQ(result.outcome().made_by, "bent past crumbs");
+  EXPECT_EQ(result.outcome().made_by, "bent past fragments");
   EXPECT_TRUE(find_boundary_loops(model).empty());
   EXPECT_EQ(test::count_self_intersections(before, model.soup), 0u);
 }
 
-TEST(BendAside, WithoutCrumbsNothingIsTried) {
+TEST(BendAside, WithoutFragmentsNothingIsTried) {
   SurfaceModel model = open_ball({Vec3(0, 0, 0.5)});
   const HoleResult result = fill_holes(model, find_boundary_loops(model), {}, nullptr, {}).at(0);
   EXPECT_EQ(result.status, PatchStatus::converged) << result.message;
   const std::vector<std::string>& attempts = result.outcome().attempts;
-  EXPECT_EQ(std::count(attempts.begin(), attempts.end(), "bent past crumbs"), 0);
+  EXPECT_EQ(std::count(attempts.begin(), attempts.end(), "bent past fragments"), 0);
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ TEST(RoughBoundary, APatchThatCutsGivesWayToACandidateThatDoesNot) {
   soup.points = points_of(open.mesh);
   soup.triangles = triangles_of(open.mesh);
   const int first = static_cast<int>(soup.points.size());
-  // Too large for a crumb, past which the patch would be bent.
+  // Too large for a fragment, past which the patch would be bent.
   for (const Vec3& corner : {Vec3(-edge, 0, top + 1), Vec3(edge, 0, top + 1), Vec3(0, 0, top - edge / 2)})
     soup.points.push_back(corner);
   soup.triangles.push_back({first, first + 1, first + 2});

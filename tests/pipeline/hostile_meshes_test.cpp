@@ -104,7 +104,7 @@ std::vector<HostileMesh> bent_surfaces() {
     add("as far as " + std::to_string(std::log10(far)), [=](TriangleSoup& s) {
       for (Vec3& p : s.points) p += Vec3(far, far, -far);
     });
-  add("crumbs around", [](TriangleSoup& s) {
+  add("fragments around", [](TriangleSoup& s) {
     for (int k = 0; k < 20; ++k) {
       const int first = static_cast<int>(s.points.size());
       const Vec3 at(0.05 * (k % 5), 0.05 * (k / 5), 0.9);

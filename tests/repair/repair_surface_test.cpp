@@ -66,7 +66,7 @@ TEST(RepairSurface, AllRepairsTogetherLeaveNothingToRepair) {
       soup.triangles.push_back({first, first + 1, first + 2});
     }
   const std::set<Defect> all{Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces,
-                             Defect::non_manifold, Defect::crumbs};
+                             Defect::non_manifold, Defect::fragments};
   const RepairedSurface once = repair_surface(soup, all);
   EXPECT_GT(once.counts.joined_points, 1000U);
   const SurfaceModel model = make_surface_model(once.soup);
@@ -78,9 +78,9 @@ TEST(RepairSurface, AllRepairsTogetherLeaveNothingToRepair) {
 /// Their points in one place were joined and separated in turns, 193 and 36 of snowden_bust.obj.
 TEST(RepairSurface, OfEverythingIsEnoughOnceOnScans) {
   const std::filesystem::path shared = LOOPMEND_SHARED_DIR;
-  const std::set<Defect> all{
-      Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces, Defect::intersections,
-      Defect::non_manifold,      Defect::handles,          Defect::crumbs};
+  const std::set<Defect> all{Defect::coincident_points, Defect::degenerate_faces, Defect::duplicate_faces,
+                             Defect::intersections,     Defect::non_manifold,     Defect::handles,
+                             Defect::fragments};
   for (const char* name : {"scans2/snowden_bust.obj", "scans2/skull_scp1.ply", "scans2/adonis.obj", "data/doll.obj"}) {
     if (!std::filesystem::exists(shared / name)) GTEST_SKIP() << shared / name << " is not here";
     const RepairedSurface once = repair_surface(read_mesh(shared / name).soup, all);
@@ -89,7 +89,7 @@ TEST(RepairSurface, OfEverythingIsEnoughOnceOnScans) {
   }
 }
 
-TEST(RepairSurface, TurnsFacesAndRemovesCrumbs) {
+TEST(RepairSurface, TurnsFacesAndRemovesFragments) {
   TriangleSoup soup = make_icosphere(3);
   std::swap(soup.triangles[7][1], soup.triangles[7][2]);
   const int first = static_cast<int>(soup.points.size());
@@ -169,7 +169,7 @@ TEST(RepairSurface, OnlyWhatIsNamedIsMended) {
   EXPECT_EQ(repair_surface(soup, {Defect::degenerate_faces}).soup.triangles.size(), soup.triangles.size() - 1);
   EXPECT_EQ(repair_surface(soup, {Defect::duplicate_faces}).soup.triangles.size(), soup.triangles.size() - 1);
   EXPECT_EQ(repair_surface(soup, {}).soup.triangles, soup.triangles);
-  EXPECT_FALSE(repair_surface(soup, {Defect::crumbs}).counts.any());
+  EXPECT_FALSE(repair_surface(soup, {Defect::fragments}).counts.any());
 }
 
 TEST(RepairSurface, EachDefectIsCountedByItself) {
