@@ -173,6 +173,16 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
   if (counts.united.touching > 0)
     std::fprintf(out, "%s at single points or edges alone and stay apart: around both there is no manifold.\n",
                  counted(counts.united.touching, "pair of bodies touches", "pairs of bodies touch").c_str());
+  if (counts.united.refused > 0)
+    std::fprintf(
+        out,
+        "%s left as they are: they touch themselves, have faces without area, or no manifold is around both. "
+        "Move or part them, then use --union again.\n",
+        counted(counts.united.refused, "pair of bodies overlaps and is", "pairs of bodies overlap and are").c_str());
+  if (counts.united.crossing_parts > 0)
+    std::fprintf(
+        out, "%s after rounding: --cut-intersections removes them.\n",
+        counted(counts.united.crossing_parts, "pair of new faces crosses", "pairs of new faces cross").c_str());
 }
 
 void print_preparation(std::FILE* out, const Preparation& done) {
@@ -226,7 +236,9 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
                                  {"new_faces", united.new_faces},
                                  {"open_pieces", united.open_pieces},
                                  {"crossing_bodies", united.crossing},
-                                 {"touching_pairs", united.touching}};
+                                 {"touching_pairs", united.touching},
+                                 {"refused_pairs", united.refused},
+                                 {"crossing_parts", united.crossing_parts}};
   }
   if (done.no_data_faces > 0) json["no_data_faces"] = done.no_data_faces;
   if (done.joined_again > 0) json["joined_again"] = done.joined_again;
@@ -414,7 +426,10 @@ int run_fill(const FillCommand& command) {
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
   const bool stopped = cancel.cancelled();
   Outcome outcome = outcome_of(results, scan.choices);
-  if (scan.done.repaired) outcome.apart = scan.done.repaired->united.open_pieces + scan.done.repaired->united.crossing;
+  if (scan.done.repaired) {
+    const UnionCounts& united = scan.done.repaired->united;
+    outcome.apart = united.open_pieces + united.crossing + united.refused + united.crossing_parts;
+  }
   WriteScanOptions options = command.write;
   if (command.deviations == FillCommand::Deviations::written) options.expected_deviation = expected_deviations(results);
   std::size_t exterior = scan.given.points;

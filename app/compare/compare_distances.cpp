@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances between the compared surfaces, from where they start, or from a mesh in a file.
+#include "analysis/surface_distance.h"
 #include "compare/compare_numbers.h"
 #include "compare/compare_window.h"
 #include "compare/flow_view.h"
@@ -72,9 +73,11 @@ void CompareWindow::measure() {
 /// Of all views.
 double CompareWindow::range_of_distances() const {
   double widest = 0;
-  for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
-    if (const auto& shape = flow_comparison_.flow_run(flow_run)->shape; !shape->difference.empty())
-      widest = std::max(widest, symmetric_range(shape->difference));
+  for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run) {
+    const std::vector<double>& distances = flow_comparison_.flow_run(flow_run)->distances;
+    const std::vector<float> values(distances.begin(), distances.end());
+    if (summary_of(distances).largest > 0) widest = std::max(widest, symmetric_range(values));
+  }
   return widest;
 }
 

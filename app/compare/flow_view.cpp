@@ -115,8 +115,7 @@ void FlowView::show_flow_run(const ComparedRun& flow_run, const QString& accepti
   const SeamFigures seam = seam_figures(flow_run.seams);
   words_ = stage_words(flow_run);
   QString in_full = words_;
-  if (!flow_run.distances.empty()) {
-    const DistanceSummary off = summary_of(flow_run.distances);
+  if (const DistanceSummary off = summary_of(flow_run.distances); off.count > 0) {
     words_ += tr(" \u00b7 off %1").arg(labels::number(off.rms));
     in_full += QLatin1Char('\n') +
                tr("Distance: %1 rms, 95 % within %2, at most %3")

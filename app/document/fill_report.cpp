@@ -7,6 +7,7 @@
 #include "document/labels.h"
 #include "document/message_words.h"
 #include "document/targets.h"
+#include "operators/curvature_energy.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -21,25 +22,19 @@
 namespace loopmend {
 namespace {
 
+constexpr int most_named = 200;  ///< of open loops
+
 QString tr(const char* text, int n = -1) {
   return QCoreApplication::translate("loopmend::FillReport", text, nullptr, n);
 }
 
-double area_of(const Points& points, const Triangle* first, std::size_t count) {
+double area_of(const TriangleSoup& soup) {
   double area = 0;
-  for (std::size_t f = 0; f < count; ++f) {
-    const Vec3& a = points[static_cast<std::size_t>(first[f][0])];
-    area += 0.5 * (points[static_cast<std::size_t>(first[f][1])] - a)
-                      .cross(points[static_cast<std::size_t>(first[f][2])] - a)
-                      .norm();
+  for (const Triangle& t : soup.triangles) {
+    const auto corner = [&](std::size_t k) -> const Vec3& { return soup.points[static_cast<std::size_t>(t[k])]; };
+    area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
   }
   return area;
-}
-
-/// Mesh units squared.
-double area_of(const Patch& patch) {
-  return patch.scale * patch.scale *
-         area_of(patch.positions, patch.triangles.data(), static_cast<std::size_t>(patch.patch_triangles));
 }
 
 QString color_of(const Document& document, int loop) {
@@ -97,35 +92,44 @@ std::vector<int> loops_in_order(const Document& document) {
   return loops;
 }
 
-QStringList facts_of(const Document& document, const FillReport& report) {
+/// @param unnamed  open loops beside those that the report names
+QStringList facts_of(const Document& document, const FillReport& report, std::size_t unnamed) {
   QStringList facts;
   double area = 0, added = 0;
   std::size_t triangles = 0, new_triangles = 0;
   for (int scan : document.scans()) {
     const TriangleSoup& soup = document.scan(scan)->model->soup;
-    area += area_of(soup.points, soup.triangles.data(), soup.triangles.size());
+    area += area_of(soup);
     triangles += soup.triangles.size();
   }
   for (const OpenPatch& patch : document.patches()) {
-    added += area_of(patch.state->patch);
+    added += patch_area(patch.state->patch) * patch.state->patch.scale * patch.state->patch.scale;
     new_triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
   }
   facts << tr("The scan has %1 triangles. The patches add %2 triangles; they are %3 % of the whole area.")
                .arg(labels::count(triangles), labels::count(new_triangles),
                     labels::number(area + added > 0 ? 100 * added / (area + added) : 0));
-  const auto count = [&](Grade grade) {
-    return std::count_if(report.holes.begin(), report.holes.end(), [&](const FillReport::Hole& hole) {
-      const Verdict* verdict = document.verdict(hole.loop);
-      return verdict && verdict->grade == grade;
-    });
-  };
-  facts << tr("%1 holes have a patch: %2 good, %3 to look at, %4 bad. %5 loops are open.")
-               .arg(labels::count(report.holes.size()))
-               .arg(count(Grade::good))
-               .arg(count(Grade::look))
-               .arg(count(Grade::bad))
-               .arg(report.open.size());
-  facts << tr("The vertices of the scan are where they were; only what is shown here is new.");
+  std::size_t good = 0, look = 0, bad = 0;
+  for (const FillReport::Hole& hole : report.holes) {
+    const Verdict* verdict = document.verdict(hole.loop);
+    const bool cuts = document.state(hole.loop) == HoleState::cutting;
+    bad += cuts || (verdict && verdict->grade == Grade::bad);
+    look += !cuts && verdict && verdict->grade == Grade::look;
+    good += !cuts && verdict && verdict->grade == Grade::good;
+  }
+  facts << tr("Holes with a patch: %1 (%2 good, %3 to look at, %4 bad, %5 not judged). Open loops: %6.")
+               .arg(report.holes.size())
+               .arg(good)
+               .arg(look)
+               .arg(bad)
+               .arg(report.holes.size() - good - look - bad)
+               .arg(static_cast<std::size_t>(report.open.size()) + unnamed);
+  const std::vector<int> scans = document.scans();
+  const bool is_changed = std::any_of(scans.begin(), scans.end(), [&](int scan) {
+    return !document.scan(scan)->repaired_from.isEmpty() || document.scan(scan)->from == ScanOrigin::made;
+  });
+  facts << (is_changed ? tr("The scan was changed before its holes were filled: this page shows the patches alone.")
+                       : tr("The vertices of the scan are where they were; only what is shown here is new."));
   const QString unit = labels::unit_name(document.unit());
   facts << (document.unit().empty() ? tr("The unit of lengths is not known.") : tr("Lengths are in %1.").arg(unit));
   facts << tr("Loopmend %1, %2.")
@@ -157,8 +161,13 @@ FillReport fill_report(const Document& document) {
   for (int scan : document.scans()) names << document.scan(scan)->name;
   report.title = tr("Holes of %1").arg(names.join(QStringLiteral(", ")));
   for (int loop : loops_in_order(document)) report.holes.push_back(hole_of(document, loop));
+  std::size_t unnamed = 0;
   for (int loop = 0; loop < document.loop_count(); ++loop) {
     if (!document.present(loop) || document.patch_of(loop)) continue;
+    if (report.open.size() == most_named) {
+      ++unnamed;
+      continue;
+    }
     const QString why = labels::in_words(document.message(loop));
     const QString line =
         tr("%1: %2, %3 in diameter")
@@ -166,7 +175,8 @@ FillReport fill_report(const Document& document) {
                  labels::length(document, document.loop(loop).diameter));
     report.open << (why.isEmpty() ? line : line + QStringLiteral(": ") + why) + QLatin1Char('.');
   }
-  report.facts = facts_of(document, report);
+  report.facts = facts_of(document, report, unnamed);
+  if (unnamed > 0) report.open << tr("%1 more are open.").arg(labels::count(unnamed));
   std::set<int> ids;
   for (const OpenPatch& patch : document.patches()) ids.insert(patch.id);
   const CommandLine command = command_line(document, ids);

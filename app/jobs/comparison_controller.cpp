@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <set>
 
 namespace loopmend {
 namespace {
@@ -36,16 +37,34 @@ TriangleSoup surface_of(const Patch& patch) {
   return soup;
 }
 
-/// The same state with the distances of its free vertices; the vertices around it have 0.
-ComparedRunPtr with_distances(const ComparedRun& state, const TriangleSoup& from, const CancelToken& cancel) {
+/// What distances are measured from.
+struct DistanceSurface {
+  TriangleSoup soup;
+  SurfaceTree tree;
+
+  explicit DistanceSurface(TriangleSoup surface) : soup(std::move(surface)), tree(soup.points, soup.triangles) {}
+};
+
+/// The same state with the distances of its free vertices, and a shape with those of all vertices of its own triangles.
+ComparedRunPtr with_distances(const ComparedRun& state, const DistanceSurface& from, const CancelToken& cancel) {
   auto measured = std::make_shared<ComparedRun>(state);
+  const Patch& patch = state.patch;
+  const auto free = static_cast<std::size_t>(patch.free_count);
+  std::set<int> boundary;
+  for (int f = 0; f < patch.patch_triangles; ++f)
+    for (int v : patch.triangles[static_cast<std::size_t>(f)])
+      if (v >= patch.free_count) boundary.insert(v);
   Points points;
-  for (int v = 0; v < state.patch.free_count; ++v)
-    points.push_back(state.patch.to_mesh(state.patch.positions[static_cast<std::size_t>(v)]));
-  measured->distances = signed_distances(points, from.points, from.triangles, cancel);
+  for (int v = 0; v < patch.free_count; ++v)
+    points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
+  for (int v : boundary) points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
+  const std::vector<double> distances = signed_distances(points, from.soup, from.tree, cancel);
+  measured->distances.assign(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(free));
   auto shape = std::make_shared<SurfaceShape>(*state.shape);
-  shape->difference.assign(measured->distances.begin(), measured->distances.end());
-  shape->difference.resize(shape->points.size() / 3, 0);
+  shape->difference.assign(shape->points.size() / 3, std::numeric_limits<float>::quiet_NaN());
+  std::copy(measured->distances.begin(), measured->distances.end(), shape->difference.begin());
+  std::size_t next = free;
+  for (int v : boundary) shape->difference[static_cast<std::size_t>(v)] = static_cast<float>(distances[next++]);
   measured->shape = std::move(shape);
   return measured;
 }
@@ -164,10 +183,20 @@ void ComparisonController::measure_from(const std::optional<DistanceFrom>& from)
   measure();
 }
 
+/// Of the surface before: they would stand under another one's name.
+void ComparisonController::drop_distances() {
+  if (start_->distances.empty()) return;
+  start_ = without_distances(*start_);
+  for (ComparedRunPtr& state : newest_) state = without_distances(*state);
+  Q_EMIT measured();
+}
+
 void ComparisonController::measure() {
   if (measuring_) measuring_->cancel();
   measuring_.reset();
-  if (!from_ || !start_ || stage_ != Stage::ready) return;
+  if (!start_ || stage_ != Stage::ready) return;
+  drop_distances();
+  if (!from_) return;
   std::vector<ComparedRunPtr> states = newest_;
   states.push_back(start_);
   const Patch* patch = from_->kind == DistanceFrom::Kind::start ? &start_->patch : nullptr;
@@ -175,18 +204,15 @@ void ComparisonController::measure() {
     if (from_->kind == DistanceFrom::Kind::flow && state->flow == from_->flow &&
         state->stage != ComparedRun::Stage::start)
       patch = &state->patch;
-  if (!patch && from_->kind == DistanceFrom::Kind::flow) {  // no view has it, or it has not run
-    for (ComparedRunPtr& state : newest_) state = without_distances(*state);
-    Q_EMIT measured();
-    return;
-  }
+  if (!patch && from_->kind == DistanceFrom::Kind::flow) return;  // no view has it, or it has not run
   measuring_ = std::make_shared<Job>(this);
   tasks_.run(
       measuring_,
       [job = measuring_, states, mesh = from_->mesh, own = patch ? surface_of(*patch) : TriangleSoup()] {
-        const TriangleSoup from = mesh.empty() ? own : read_mesh(mesh).soup;
+        const DistanceSurface from(mesh.empty() ? own : read_mesh(mesh).soup);
         std::vector<ComparedRunPtr> measured;
-        for (const ComparedRunPtr& state : states) measured.push_back(with_distances(*state, from, job->token()));
+        for (const ComparedRunPtr& state : states)
+          if (!job->token().cancelled()) measured.push_back(with_distances(*state, from, job->token()));
         return measured;
       },
       [this](std::vector<ComparedRunPtr> measured) {

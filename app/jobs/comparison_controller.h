@@ -100,6 +100,7 @@ class ComparisonController : public QObject {
   void take_news(const std::shared_ptr<Post>& post);
   void end(const std::shared_ptr<Post>& post);
   void measure();
+  void drop_distances();
 
   ComparisonSource source_;
   Stage stage_ = Stage::preparing;

@@ -121,8 +121,12 @@ void MirrorGuide::compare() {
         [wanted, plane = *plane_, context = context_of_(scan_),
          origin = document_.origin()](const CancelToken& cancel) {
           std::vector<Fit> fits;
-          for (const auto& [loop, boundary] : wanted)
-            fits.push_back(fit_of(*context, loop, boundary, plane, origin, cancel));
+          for (const auto& [loop, boundary] : wanted) {
+            try {
+              fits.push_back(fit_of(*context, loop, boundary, plane, origin, cancel));
+            } catch (const std::exception&) {  // a preview alone, and the other holes have theirs
+            }
+          }
           return fits;
         },
         [this](const std::vector<Fit>& fits) {

@@ -92,6 +92,12 @@ QString bodies_left(const UnionCounts& united) {
   if (united.touching > 0)
     left << FillController::tr("%Ln pair(s) of bodies touching at points or edges alone stay apart.", nullptr,
                                n(united.touching));
+  if (united.refused > 0)
+    left << FillController::tr("%Ln pair(s) of overlapping bodies have no union and were left: move or part them.",
+                               nullptr, n(united.refused));
+  if (united.crossing_parts > 0)
+    left << FillController::tr("%Ln pair(s) of new faces cross after rounding: cut out faces that intersect others.",
+                               nullptr, n(united.crossing_parts));
   return left.join(QLatin1Char(' '));
 }
 

@@ -52,10 +52,12 @@ QByteArray pdf_by_thread(const FillReport& report) {
 
 }  // namespace
 
-void write_report(const std::filesystem::path& path, const FillReport& report) {
+bool write_report(const std::filesystem::path& path, const FillReport& report, const CancelToken& cancel) {
   const bool is_pdf = equals_ignoring_case(path_text(path.extension()), ".pdf");
   const QByteArray bytes = is_pdf ? pdf_by_thread(report) : html_of(report, PictureLinks::within).toUtf8();
+  if (cancel.cancelled()) return false;
   write_file_atomically(path, [&](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+  return true;
 }
 
 }  // namespace loopmend

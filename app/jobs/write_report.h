@@ -2,6 +2,7 @@
 // A report of the holes as a file, off the window's thread.
 #pragma once
 
+#include "core/cancel.h"
 #include "document/fill_report.h"
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 namespace loopmend {
 
 /// HTML with its pictures within, or PDF where the name ends in .pdf. @throws WriteError; then no file is left.
-void write_report(const std::filesystem::path& path, const FillReport& report);
+/// @returns whether it was written: not when cancelled
+bool write_report(const std::filesystem::path& path, const FillReport& report, const CancelToken& cancel);
 
 }  // namespace loopmend

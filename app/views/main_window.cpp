@@ -75,7 +75,7 @@ MainWindow::MainWindow(QWidget* parent)
   resize(QSize(1360, 860).boundedTo(largest_window()));
   build_centre();
   files_ = new FileController(document_, undo_, controller_, check_, visibility_, *banner_, this);
-  report_ = new ReportWriter(document_, *view_, this);
+  report_ = new ReportWriter(document_, visibility_, *view_, this);
   compare_ = new CompareController(document_, selection_, controller_, this);
   build_docks();
   files_->ask_for_results_of(tools_->trial());

@@ -208,6 +208,7 @@ void MeshView::set_viewpoint(const Viewpoint& viewpoint) {
   impl_->flight->stop();
   const Vec3 origin = impl_->document.origin();
   apply({viewpoint.focus - origin, viewpoint.eye - origin, viewpoint.up}, impl_->camera());
+  match_parallel_scale(impl_->camera());
   redraw();
 }
 

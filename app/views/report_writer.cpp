@@ -3,6 +3,7 @@
 
 #include "document/file_path.h"
 #include "document/labels.h"
+#include "document/scene_visibility.h"
 #include "jobs/write_report.h"
 #include "views/film_source.h"
 #include "views/mesh_view.h"
@@ -33,25 +34,32 @@ QImage picture_of_hole(MeshView& view, int loop) {
 
 }  // namespace
 
-ReportWriter::ReportWriter(const Document& document, MeshView& view, QWidget* window)
+ReportWriter::ReportWriter(const Document& document, const SceneVisibility& visibility, MeshView& view, QWidget* window)
     : QObject(window),
       document_(document),
+      visibility_(visibility),
       view_(view),
       window_(window) {
   clock_.setInterval(5);
   connect(&clock_, &QTimer::timeout, this, &ReportWriter::draw_next);
+  for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
+    connect(&document_, signal, this, &ReportWriter::stop_drawing);
 }
 
 ReportWriter::~ReportWriter() { stop(); }
 
 void ReportWriter::ask(const QString& proposal) {
-  QString filter;
-  QString path =
-      QFileDialog::getSaveFileName(window_, tr("Report"), proposal, tr("Web page (*.html);;PDF (*.pdf)"), &filter);
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty())
-    path += filter.contains(QLatin1String("pdf")) ? QStringLiteral(".pdf") : QStringLiteral(".html");
-  write(path);
+  QFileDialog dialog(window_, tr("Report"), QFileInfo(proposal).path(), tr("Web page (*.html);;PDF (*.pdf)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(QStringLiteral("html"));
+  dialog.selectFile(QFileInfo(proposal).fileName());
+  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    const bool pdf = filter.contains(QLatin1String("*.pdf"));
+    dialog.setDefaultSuffix(pdf ? QStringLiteral("pdf") : QStringLiteral("html"));
+    const QString chosen = QFileInfo(dialog.selectedFiles().value(0)).completeBaseName();
+    dialog.selectFile(chosen + QLatin1Char('.') + dialog.defaultSuffix());
+  });
+  if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()) write(dialog.selectedFiles().first());
 }
 
 void ReportWriter::write(const QString& path) {
@@ -65,16 +73,18 @@ void ReportWriter::write(const QString& path) {
   progress_ = std::make_unique<QProgressDialog>(tr("Drawing the holes\u2026"), tr("Cancel"), 0, pictures + 1, window_);
   progress_->setObjectName(QStringLiteral("reportProgress"));
   progress_->setWindowTitle(tr("Report"));
-  progress_->setWindowModality(Qt::WindowModal);  // the scene stands still meanwhile
+  progress_->setWindowModality(Qt::WindowModal);
+  progress_->setMinimumDuration(0);
   progress_->setAutoReset(false);
   connect(progress_.get(), &QProgressDialog::canceled, this, &ReportWriter::stop);
+  progress_->show();
   clock_.start();
 }
 
 void ReportWriter::draw_next() {
   if (drawn_ == std::min(report_.holes.size(), most_pictures)) return begin_writing();
   FillReport::Hole& hole = report_.holes[drawn_++];
-  hole.picture = picture_of_hole(view_, hole.loop);
+  if (!visibility_.is_hidden_loop(hole.loop)) hole.picture = picture_of_hole(view_, hole.loop);
   progress_->setValue(static_cast<int>(drawn_));
 }
 
@@ -85,18 +95,22 @@ void ReportWriter::begin_writing() {
   job_ = std::make_shared<Job>(this);
   tasks_.run(
       job_,
-      [path = file_path(path_), report = report_] {
-        write_report(path, report);
-        return 0;
+      [this, job = job_, path = file_path(path_), report = report_] {
+        return writing_.take(*job, [&] { return write_report(path, report, job->token()); });
       },
-      [this](int) {
+      [this](bool done) {
         stop();
-        Q_EMIT written(QDir::toNativeSeparators(path_));
+        if (done) Q_EMIT written(QDir::toNativeSeparators(path_));
       },
       [this](const QString& words) {
         stop();
         Q_EMIT failed(words);
       });
+}
+
+/// The scene is another one: its pictures would show what the text does not say.
+void ReportWriter::stop_drawing() {
+  if (clock_.isActive()) stop();
 }
 
 void ReportWriter::stop() {

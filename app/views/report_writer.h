@@ -14,12 +14,13 @@
 namespace loopmend {
 
 class MeshView;
+class SceneVisibility;
 
 class ReportWriter : public QObject {
   Q_OBJECT
 
  public:
-  ReportWriter(const Document& document, MeshView& view, QWidget* window);
+  ReportWriter(const Document& document, const SceneVisibility& visibility, MeshView& view, QWidget* window);
   ~ReportWriter() override;
 
   /// Asks for the name of the file.
@@ -36,8 +37,10 @@ class ReportWriter : public QObject {
   void draw_next();
   void begin_writing();
   void stop();
+  void stop_drawing();
 
   const Document& document_;
+  const SceneVisibility& visibility_;
   MeshView& view_;
   QWidget* window_;
   std::unique_ptr<QProgressDialog> progress_;
@@ -46,6 +49,7 @@ class ReportWriter : public QObject {
   std::size_t drawn_ = 0;
   QString path_;
   JobPtr job_;
+  WriteTurns writing_;
   TaskRunner tasks_;
 };
 

@@ -2,7 +2,6 @@
 #include "analysis/surface_distance.h"
 
 #include "core/quantile.h"
-#include "mesh/surface_tree.h"
 
 #include <Eigen/Geometry>
 
@@ -11,15 +10,14 @@
 
 namespace loopmend {
 
-std::vector<double> signed_distances(const Points& points, const Points& surface, const Triangles& triangles,
+std::vector<double> signed_distances(const Points& points, const TriangleSoup& surface, const SurfaceTree& tree,
                                      const CancelToken& cancel) {
-  const SurfaceTree tree(surface, triangles);
   std::vector<double> distances(points.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < points.size() && !cancel.cancelled(); ++k) {
     const SurfacePoint closest = tree.closest(points[k]);
     if (closest.triangle < 0) continue;
-    const Triangle& t = triangles[static_cast<std::size_t>(closest.triangle)];
-    const auto corner = [&](int i) -> const Vec3& { return surface[static_cast<std::size_t>(t[i])]; };
+    const Triangle& t = surface.triangles[static_cast<std::size_t>(closest.triangle)];
+    const auto corner = [&](int i) -> const Vec3& { return surface.points[static_cast<std::size_t>(t[i])]; };
     const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)), off = points[k] - closest.place;
     distances[k] = std::copysign(off.norm(), normal.dot(off));
   }
@@ -37,6 +35,7 @@ DistanceSummary summary_of(const std::vector<double>& distances) {
     summary.largest = std::max(summary.largest, std::abs(d));
   }
   if (sizes.empty()) return summary;
+  summary.count = sizes.size();
   const auto count = static_cast<double>(sizes.size());
   summary.mean /= count;
   summary.rms = std::sqrt(summary.rms / count);

@@ -53,7 +53,7 @@ void EvolvingPatch::begin(const EvolutionOptions& new_options, const Objective& 
 
 bool EvolvingPatch::acceptable(const EvolutionState& next, double limit) const {
   if (!std::isfinite(next.measure) || next.folds > std::max(state.folds, allowed_folds)) return false;
-  if (next.unfitted > state.unfitted) return false;
+  if (next.unfitted > state.unfitted || next.missing > state.missing) return false;  // it would lower the energy
   for (int i = 0; i < next.patch.free_count; ++i)
     if (!room.contains(next.patch.positions[i])) return false;
   return next.measure <= limit;

@@ -52,6 +52,8 @@ EvolutionState state_of(Patch patch, const Objective& objective, Stencil stencil
   state.measure = measure_of(objective, patch, state.ops);
   state.folds = count_folds(patch.positions, patch.triangles, patch.patch_triangles);
   state.unfitted = static_cast<int>(std::count(state.ops.valid.begin(), state.ops.valid.begin() + patch.free_count, 0));
+  for (int i = 0; i < patch.vertex_count(); ++i)
+    state.missing += patch.ring[i] <= energy_reach && patch.ring[i] <= objective.reach && !state.ops.valid[i];
   state.patch = std::move(patch);
   return state;
 }

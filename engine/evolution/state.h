@@ -31,6 +31,7 @@ struct EvolutionState {
   double measure = 0;                        ///< what must not grow over steps: see measure_of()
   int folds = 0;                             ///< of the patch and its boundary
   int unfitted = 0;                          ///< free vertices without a valid fit: the flow is blind there
+  int missing = 0;  ///< vertices that the energy reads, of rings 0 to energy_reach, without a valid fit
 };
 
 /// Patch frame: MMCVF ∫‖∇H‖² + bending ∫H², WF ∫H², MCF area; SDF has none, and takes ∫(ΔH)².

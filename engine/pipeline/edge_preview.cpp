@@ -20,6 +20,7 @@ int soup_point(const SurfaceModel& model, const Patch& patch, int vertex) {
 }  // namespace
 
 EdgeEdits edits_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const EdgeEdits& edits) {
+  if (edits.empty()) return {};
   std::set<int> points;
   for (const BoundaryLoop& loop : loops)
     for (int v : loop.vertices) points.insert(model.soup_vertex[static_cast<std::size_t>(v)]);

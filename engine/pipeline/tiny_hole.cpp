@@ -35,7 +35,7 @@ constexpr std::size_t least_fitted = 9;  ///< for six coefficients
 bool asks_for_no_treatment(const SurfaceModel& model, const BoundaryLoop& loop, const GroupOptions& options) {
   return options.evolution && is_judged(*options.evolution) && options.mirror_planes.empty() &&
          options.evolution->relief.kind == ReliefChoice::Kind::smooth && options.initial.density == 1 &&
-         (options.evolution->edge_edits.empty() || edits_at(model, {loop}, options.evolution->edge_edits).empty());
+         edits_at(model, {loop}, options.evolution->edge_edits).empty();
 }
 
 /// A hole by itself, with one fan of faces at each of its vertices.

@@ -5,12 +5,16 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <queue>
 #include <set>
@@ -46,12 +50,21 @@ struct Body {
 /// What a union is made of, in one place: CGAL orders the two by their addresses, and nothing must depend on chance.
 struct Operands {
   Body a, b, united;
+
+  Operands(const Body& first, const Body& second) : a(first), b(second) {}
 };
 
-/// Tells new faces and copies of vertices which ones of the soup they are.
+struct Cancelled : std::exception {};
+
+/// Labels new faces and copies of vertices with those of the soup, and ends CGAL's work when cancelled.
 class Origins : public PMP::Corefinement::Default_visitor<Mesh> {
  public:
-  explicit Origins(Operands& operands) : operands_(&operands) {}
+  Origins(Operands& operands, const CancelToken& cancel) : operands_(&operands), cancel_(&cancel) {}
+  void progress_filtering_intersections(double) const { stop_if_cancelled(); }
+  void edge_face_intersections_step() const { stop_if_cancelled(); }
+  void intersection_of_coplanar_faces_step() const { stop_if_cancelled(); }
+  void triangulating_faces_step() const { stop_if_cancelled(); }
+  void build_output_step() const { stop_if_cancelled(); }
   void before_subface_creations(Face face, Mesh& mesh) { divided_ = body(mesh).face[face]; }
   void after_subface_created(Face face, Mesh& mesh) { body(mesh).face[face] = divided_; }
   void after_face_copy(Face from, const Mesh& source, Face to, Mesh& target) {
@@ -67,7 +80,12 @@ class Origins : public PMP::Corefinement::Default_visitor<Mesh> {
     return &mesh == &operands_->b.mesh ? operands_->b : operands_->united;
   }
 
+  void stop_if_cancelled() const {
+    if (cancel_->cancelled()) throw Cancelled();
+  }
+
   Operands* operands_;
+  const CancelToken* cancel_;
   int divided_ = -1;
 };
 
@@ -107,12 +125,15 @@ class Uniting {
       const auto [size, a, b] = next_.top();
       next_.pop();
       if (!beside_[a].contains(b) || size != size_of(a) + size_of(b)) continue;  // they are others by now
-      if (unite(a, b))
-        replace_both(a, b);
-      else
-        failed_.insert({a, b});
+      switch (unite(a, b, cancel)) {
+        case Outcome::united: replace_both(a, b); break;
+        case Outcome::only_touching: failed_[{a, b}] = Outcome::only_touching; break;
+        case Outcome::refused: failed_[{a, b}] = Outcome::refused; break;
+      }
     }
-    result.only_touching.assign(failed_.begin(), failed_.end());
+    if (cancel.cancelled()) return {};
+    for (const auto& [pair, outcome] : failed_)
+      (outcome == Outcome::refused ? result.refused : result.only_touching).push_back(pair);
     std::map<int, std::vector<int>> members;
     for (std::size_t body = 0; body < root_.size(); ++body) members[root_[body]].push_back(static_cast<int>(body));
     for (const auto& [root, all] : members)
@@ -127,7 +148,8 @@ class Uniting {
   void replace_both(int a, int b) {
     for (int& root : root_)
       if (root == b) root = a;
-    std::erase_if(failed_, [a, b](const auto& pair) {
+    std::erase_if(failed_, [a, b](const auto& entry) {
+      const std::pair<int, int>& pair = entry.first;
       return pair.first == a || pair.second == a || pair.first == b || pair.second == b;
     });
     for (int other : beside_[b]) {
@@ -165,23 +187,45 @@ class Uniting {
     return made;
   }
 
-  /// The union takes the place of `a`. False, and nothing changes, where they only touch.
-  bool unite(int a, int b) {
+  /// Whether the middle of some face of `a` lies within `b`. Both corefined, so that no face lies within and without.
+  static bool reaches_into(const Mesh& a, const Mesh& b) {
+    const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side(b);
+    const auto faces = a.faces();
+    return std::any_of(faces.begin(), faces.end(), [&](Face f) {
+      std::array<Kernel::Point_3, 3> corners;
+      std::size_t k = 0;
+      for (const Vertex v : CGAL::vertices_around_face(a.halfedge(f), a)) corners.at(k++) = a.point(v);
+      return side(CGAL::centroid(corners[0], corners[1], corners[2])) == CGAL::ON_BOUNDED_SIDE;
+    });
+  }
+
+  enum class Outcome { united, only_touching, refused };
+  /// The union takes the place of `a`; nothing changes where there is none, or when cancelled.
+  Outcome unite(int a, int b, const CancelToken& cancel) {
     if (!bodies_[a]) bodies_[a] = make(a);
     if (!bodies_[b]) bodies_[b] = make(b);
-    const auto operands = std::make_unique<Operands>(Operands{*bodies_[a], *bodies_[b], {}});
+    const auto operands = std::make_unique<Operands>(*bodies_[a], *bodies_[b]);
     const std::size_t components = count_components(operands->a) + count_components(operands->b);
     std::set<int> before = soup_faces(operands->a);
     before.merge(soup_faces(operands->b));
     Body& united = operands->united;
-    if (!PMP::corefine_and_compute_union(operands->a.mesh, operands->b.mesh, united.mesh,
-                                         CGAL::parameters::visitor(Origins(*operands))))
-      return false;
-    if (count_components(united) >= components && soup_faces(united) == before) return false;
+    try {
+      if (!PMP::corefine_and_compute_union(
+              operands->a.mesh, operands->b.mesh, united.mesh,
+              CGAL::parameters::visitor(Origins(*operands, cancel)).throw_on_self_intersection(true))) {
+        const Mesh &one = operands->a.mesh, &other = operands->b.mesh;
+        return reaches_into(one, other) || reaches_into(other, one) ? Outcome::refused : Outcome::only_touching;
+      }
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception&) {  // CGAL's, or of a cancel: of bodies that touch themselves, of faces without area
+      return Outcome::refused;
+    }
+    if (count_components(united) >= components && soup_faces(united) == before) return Outcome::only_touching;
     united.mesh.collect_garbage();
     bodies_[a] = std::make_unique<Body>(united);
     bodies_[b].reset();
-    return true;
+    return Outcome::united;
   }
 
   /// The corners of faces, each from its least place on, by their places: CGAL's own order depends on chance.
@@ -227,7 +271,7 @@ class Uniting {
   std::vector<int> root_;  ///< of each body the least that it is one with
   std::vector<std::unique_ptr<Body>> bodies_;
   std::vector<std::set<int>> beside_;                   ///< of each root those that it may be united with
-  std::set<std::pair<int, int>> failed_;                ///< pairs of roots
+  std::map<std::pair<int, int>, Outcome> failed_;       ///< pairs of roots
   using Candidate = std::tuple<std::size_t, int, int>;  ///< faces of both, and the two roots
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> next_;
 };

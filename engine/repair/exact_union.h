@@ -24,9 +24,11 @@ struct ExactUnion {
 };
 
 struct ExactUnions {
-  std::vector<ExactUnion> made;  ///< of two bodies or more, by the least of them
+  std::vector<ExactUnion> made;                      ///< of two bodies or more, by the least of them
+  std::vector<std::pair<int, int>> only_touching{};  ///< pairs that touch at points or edges alone
   std::vector<std::pair<int, int>>
-      only_touching{};  ///< pairs that touch at points or edges, so that no union is a manifold
+      refused{};  ///< pairs that overlap, but have no union that is a manifold, or that CGAL refuses: faces without area, bodies
+                  ///< that touch themselves
 };
 
 /// Unites bodies in pairs, small ones first.

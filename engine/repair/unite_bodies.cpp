@@ -22,6 +22,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,7 @@ class Bodies {
   Bodies(const SurfaceModel& model, const CancelToken& cancel) : model_(model) {
     find_shells();
     find_crossings(cancel);
+    find_overlaps_at_common_places();
     if (cancel.cancelled()) return;
     find_nesting();
     find_bodies();
@@ -147,6 +149,47 @@ class Bodies {
         if (found != CGAL::ON_BOUNDARY) return found == CGAL::ON_BOUNDED_SIDE;
       }
     return false;
+  }
+
+  /// Where meshes fit along the curve in which bodies cross, no two faces cross; the middle of some face there lies within.
+  void find_overlaps_at_common_places() {
+    struct Corner {
+      std::array<double, 3> place;
+      int shell, face;
+    };
+    std::vector<Corner> found;
+    if (shells_.size() < 2) return;
+    for (std::size_t s = 0; s < shells_.size(); ++s)
+      for (int f : shells_[s].faces)
+        for (const Vec3& p : corners(f))
+          if (shells_[s].is_sound()) found.push_back({{p.x(), p.y(), p.z()}, static_cast<int>(s), f});
+    std::sort(found.begin(), found.end(), [](const Corner& a, const Corner& b) {
+      return std::tie(a.place, a.shell, a.face) < std::tie(b.place, b.shell, b.face);
+    });
+    std::map<ShellPair, std::set<int>>
+        faces_at;  // of the first shell of a pair, near the second, and the other way round
+    for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
+      while (last < found.size() && found[last].place == found[first].place) ++last;
+      if (found[first].shell == found[last - 1].shell) continue;
+      for (std::size_t a = first; a < last; ++a)
+        for (std::size_t b = first; b < last; ++b)
+          if (found[a].shell != found[b].shell && !crossings_.contains(std::minmax(found[a].shell, found[b].shell)))
+            faces_at[{found[a].shell, found[b].shell}].insert(found[a].face);
+    }
+    for (const auto& [pair, own] : faces_at) {
+      ShellMesh mesh = mesh_of(shells_[pair.second]);
+      const ShellTree tree(faces(mesh).first, faces(mesh).second, mesh);
+      const ShellSide side(tree);
+      const bool overlap = std::any_of(own.begin(), own.end(), [&](int f) {
+        const auto [a, b, c] = corners(f);
+        const Vec3 middle = (a + b + c) / 3;
+        return side(Kernel::Point_3(middle.x(), middle.y(), middle.z())) == CGAL::ON_BOUNDED_SIDE;
+      });
+      // A shell that lies within another has its middles there, too: one of them has a face outside.
+      if (!overlap || shells_[pair.second].box.contains(shells_[pair.first].box)) continue;
+      shells_[pair.first].crosses_others = shells_[pair.second].crosses_others = true;
+      crossings_.insert(std::minmax(pair.first, pair.second));
+    }
   }
 
   ShellMesh mesh_of(const BodyShell& shell) const {
@@ -305,6 +348,7 @@ UnitedSurface unite_bodies(const TriangleSoup& soup, const CancelToken& cancel) 
   const ExactUnions unions = unite_exactly(model, faces, pairs, cancel);
   if (cancel.cancelled()) return {soup, {}};
   result.counts.touching = unions.only_touching.size();
+  result.counts.refused = unions.refused.size();
   result.counts.made = unions.made.size();
   if (unions.made.empty()) return result;
   UnitedSoup united(model.soup);
@@ -316,6 +360,11 @@ UnitedSurface unite_bodies(const TriangleSoup& soup, const CancelToken& cancel) 
     united.take(soup_faces, one);
   }
   result.soup = united.result(result.counts);
+  Triangles parts_first = result.soup.triangles;
+  const auto parts = static_cast<int>(result.counts.new_faces);
+  std::rotate(parts_first.begin(), parts_first.end() - parts, parts_first.end());
+  result.counts.crossing_parts = self_intersections(result.soup.points, parts_first, parts, cancel).size();
+  if (cancel.cancelled()) return {soup, {}};
   return result;
 }
 

@@ -10,13 +10,15 @@
 namespace loopmend {
 
 struct UnionCounts {
-  std::size_t bodies = 0;         ///< that overlapped, touched along faces, or lay within another
-  std::size_t made = 0;           ///< bodies that they became
-  std::size_t removed_faces = 0;  ///< within a body, or divided
-  std::size_t new_faces = 0;      ///< parts of the divided ones
-  std::size_t open_pieces = 0;    ///< of surface that cross others: left as they are
-  std::size_t crossing = 0;       ///< closed ones that cross others, and themselves: left as they are
-  std::size_t touching = 0;       ///< pairs that touch at points or edges alone: left as they are
+  std::size_t bodies = 0;          ///< that overlapped, touched along faces, or lay within another
+  std::size_t made = 0;            ///< bodies that they became
+  std::size_t removed_faces = 0;   ///< within a body, or divided
+  std::size_t new_faces = 0;       ///< parts of the divided ones
+  std::size_t open_pieces = 0;     ///< of surface that cross others: left as they are
+  std::size_t crossing = 0;        ///< closed ones that cross others, and themselves: left as they are
+  std::size_t touching = 0;        ///< pairs that touch at points or edges alone: left as they are
+  std::size_t refused = 0;         ///< pairs that overlap, but have no union (exact_union.h): left as they are
+  std::size_t crossing_parts = 0;  ///< pairs of faces of the unions that cross after rounding
 };
 
 struct UnitedSurface {

@@ -79,7 +79,8 @@ py::list faces_of(const std::vector<BadBoundaryFace>& faces) {
 py::dict union_figures(const UnionCounts& united) {
   return py::dict("bodies"_a = united.bodies, "made"_a = united.made, "removed_faces"_a = united.removed_faces,
                   "new_faces"_a = united.new_faces, "open_pieces"_a = united.open_pieces,
-                  "crossing_bodies"_a = united.crossing, "touching_pairs"_a = united.touching);
+                  "crossing_bodies"_a = united.crossing, "touching_pairs"_a = united.touching,
+                  "refused_pairs"_a = united.refused, "crossing_parts"_a = united.crossing_parts);
 }
 
 /// Only what was asked for: {"stitched": {...}, "repaired": {...}, "joined_again": N}.

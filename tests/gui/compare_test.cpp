@@ -373,6 +373,7 @@ void CompareTest::distances_between_flows_and_from_a_mesh() {
   window->measure_from_mesh(folder_.filePath(QStringLiteral("none.ply")));
   QVERIFY(wait_until([&] { return !flows.is_measuring(); }));
   QVERIFY(wait_until([&] { return window->findChild<Banner*>()->isVisible(); }));
+  QVERIFY(flows.flow_run(mcf)->distances.empty());  // not those from the mesh before
 
   from->setCurrentIndex(from->findText(QStringLiteral("from the start")));
   Q_EMIT from->activated(from->currentIndex());

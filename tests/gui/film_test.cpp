@@ -306,6 +306,11 @@ void FilmTest::a_report_given_up_leaves_no_file() {
   QVERIFY(progress);
   Q_EMIT progress->canceled();
   QVERIFY(!window.report().busy());
+  window.report().write(path("none.html"));
+  trigger(window, "undo");  // the patches that it shows are gone
+  QVERIFY(!window.report().busy());
+  trigger(window, "redo");
+  QVERIFY(wait_idle(window));
   window.report().write(QStringLiteral("/nonexistent-folder/none.html"));
   QVERIFY(wait_until([&] { return failed.count() == 1; }));
   QVERIFY(!window.report().busy());

@@ -8,13 +8,16 @@
 #include "mesh/watertight.h"
 #include "repair/repair_surface.h"
 #include "samples/analytic_surfaces.h"
+#include "support/sharp_surfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <set>
+#include <thread>
 #include <utility>
 
 namespace loopmend {
@@ -184,6 +187,85 @@ TEST(UniteBodies, WhatIsOpenOrCrossesItselfIsLeft) {
     if (t[0] >= first && t[0] < last) {
       ASSERT_TRUE(after.contains(t));
     }
+}
+
+/// The surface of a box, meshed on a grid.
+TriangleSoup grid_box(const Vec3& low, const Vec3& high, double cell) {
+  test::GridSurface surface;
+  const Vec3 size = high - low;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int end : {0, 1}) {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      surface.add(static_cast<int>(std::lround(size[u] / cell)), static_cast<int>(std::lround(size[v] / cell)),
+                  [&](double x, double y) {
+                    Vec3 p = low;
+                    p[axis] = end == 0 ? low[axis] : high[axis];
+                    p[u] += size[u] * (end == 1 ? x : y);
+                    p[v] += size[v] * (end == 1 ? y : x);
+                    return p;
+                  });
+    }
+  return std::move(surface.soup);
+}
+
+/// Their meshes have all edges in common along the curve where they cross: no two faces cross.
+TEST(UniteBodies, BodiesOnOneGrid) {
+  const TriangleSoup one = grid_box({0, 0, 0}, {2, 2, 2}, 1);
+  ASSERT_NEAR(volume_of(one), 8, 1e-12);
+  const UnitedSurface united = unite_bodies(joined({one, grid_box({1, 1, 1}, {3, 3, 3}, 1)}));
+  EXPECT_EQ(united.counts.made, 1U);
+  EXPECT_NEAR(volume_of(united.soup), 15, 1e-12);
+}
+
+/// A clamp sunk into a block, one edge of which lies on an edge of the block: around both there is no manifold.
+TEST(UniteBodies, AnOverlapWithoutAManifoldIsRefused) {
+  const TriangleSoup block = box({0, 0, 0}, {2, 2, 1});
+  const TriangleSoup foot = box({0.5, 0.5, 0.5}, {1, 1, 3}), bar = box({0.5, 0.5, 2.5}, {4, 1, 3}),
+                     jaw = box({2, 0.5, 1}, {4, 1, 3});
+  const UnitedSurface clamp = unite_bodies(joined({foot, bar, jaw}));
+  ASSERT_EQ(clamp.counts.made, 1U);
+  const TriangleSoup both = joined({block, clamp.soup});
+  const UnitedSurface united = unite_bodies(both);
+  EXPECT_EQ(united.counts.refused, 1U);
+  EXPECT_EQ(united.counts.touching, 0U);
+  EXPECT_EQ(united.soup.triangles, both.triangles);
+}
+
+/// CGAL does not take them; other bodies are united all the same.
+TEST(UniteBodies, ABodyWithAFaceWithoutAreaIsLeftAndOthersAreUnited) {
+  TriangleSoup flawed = box({0, 0, 0}, {1, 1, 1});
+  const int middle = static_cast<int>(flawed.points.size());
+  flawed.points.emplace_back(0.5, 0, 0);  // on the edge from vertex 0 to 1
+  for (Triangle& t : flawed.triangles)
+    for (int k = 0; k < 3; ++k)
+      if (t[k] == 0 && t[(k + 1) % 3] == 1) {
+        flawed.triangles.push_back({middle, t[(k + 1) % 3], t[(k + 2) % 3]});
+        t[(k + 1) % 3] = middle;
+        break;
+      }
+  flawed.triangles.push_back({0, middle, 1});  // collinear
+  const TriangleSoup soup =
+      joined({flawed, box({0.25, -0.5, -0.5}, {0.75, 0.5, 0.5}), ball({9, 0, 0}), ball({10, 0, 0})});
+  const UnitedSurface united = unite_bodies(soup);
+  EXPECT_GE(united.counts.made, 1U);
+  EXPECT_LE(united.counts.refused, 1U);
+}
+
+TEST(UniteBodies, StopsWhenCancelled) {
+  const TriangleSoup soup = joined({ball({0, 0, 0}, 1, 4), ball({0.7, 0, 0}, 1, 4)});
+  const CancelToken cancel;
+  cancel.cancel();
+  EXPECT_EQ(unite_bodies(soup, cancel).soup.triangles, soup.triangles);
+  for (const std::chrono::milliseconds wait : {std::chrono::milliseconds(5), std::chrono::milliseconds(40)}) {
+    const CancelToken later;
+    std::thread stopper([&] {
+      std::this_thread::sleep_for(wait);
+      later.cancel();
+    });
+    const UnitedSurface united = unite_bodies(soup, later);
+    stopper.join();
+    EXPECT_TRUE(united.counts.made == 1 || united.soup.triangles == soup.triangles);
+  }
 }
 
 TEST(UniteBodies, DoesNotDependOnWhereItRuns) {

@@ -163,9 +163,9 @@ Patch minimal_surface(const Patch& membrane, std::string& why) {
   const PatchResult relaxed = evolve_patch(membrane, options, nullptr, {});
   const bool rests = relaxed.status == PatchStatus::converged && relaxed.validity.is_clean();
   why = rests ? "The flow starts from the minimal surface that mean curvature flow makes of a membrane."
-              : "There is no minimal surface to start from: mean curvature flow pinches the membrane, to " +
-                    number_text("%.2f", relaxed.energy.final / relaxed.energy.initial) +
-                    " of its area when it stops. The flow starts from the membrane.";
+              : "Mean curvature flow of the membrane does not come to rest (" + std::string(to_string(relaxed.status)) +
+                    "): its area falls to " + number_text("%.2f", relaxed.energy.final / relaxed.energy.initial) +
+                    " of the membrane's. The flow starts from the membrane.";
   return rests ? relaxed.patch : membrane;
 }
 
@@ -254,8 +254,8 @@ FigureRun run_fig54() {
   const bool good = evolved.validity.is_clean() && evolved.status == PatchStatus::converged && worst < 1e-3;
   run.verdict = good ? Reproduction::reproduced : Reproduction::partly;
   run.why =
-      "Each pentagon as three triangles, each of these as 64. The semi-implicit scheme starts from the flat faces; the "
-      "third picture is an intermediate state. The answer is the sphere through the vertices, on which H is constant.";
+      "Each pentagon as three triangles, each of these as 64. The semi-implicit scheme starts from the flat faces. The "
+      "answer is the sphere through the vertices, on which H is constant.";
   return run;
 }
 
