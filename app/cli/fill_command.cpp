@@ -287,8 +287,9 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
     const HoleResult& r = results[k];
     const Verdict verdict = r.verdict();
     const bool filled = is_filled(r.status);
-    std::fprintf(out, "%5d  %6d  %6d  %-7s  %10s  %-10s", r.loop.number, r.loop.edges(), r.free_vertices,
-                 filled ? to_string(verdict.grade) : "-", likely_off(r.deviation()).c_str(), to_string(r.status));
+    std::fprintf(out, filled ? "%5d  %6d  %6d  %-7s  %10s  %-10s" : "%5d  %6d  %6d  %-7s  %10s  %s", r.loop.number,
+                 r.loop.edges(), r.free_vertices, filled ? to_string(verdict.grade) : "-",
+                 likely_off(r.deviation()).c_str(), to_string(r.status));
     if (filled)
       std::fprintf(out, "  %-16s  %18s  %20s", r.method().c_str(),
                    before_and_after(r.seam_before().g1_rms_deg, r.seam_after().g1_rms_deg).c_str(),
