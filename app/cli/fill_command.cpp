@@ -178,7 +178,7 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
         out,
         "%s left as they are: they touch themselves, have faces without area, or no manifold is around both. "
         "Move or part them, then use --union again.\n",
-        counted(counts.united.refused, "pair of bodies overlaps and is", "pairs of bodies overlap and are").c_str());
+        counted(counts.united.refused, "pair of bodies overlaps; both are", "pairs of bodies overlap; all are").c_str());
   if (counts.united.crossing_parts > 0)
     std::fprintf(
         out, "%s after rounding: --cut-intersections removes them.\n",
