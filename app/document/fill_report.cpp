@@ -150,7 +150,8 @@ QString picture_of(const FillReport::Hole& hole, std::size_t place, PictureLinks
     hole.picture.save(&buffer, "PNG");
     source = QStringLiteral("data:image/png;base64,") + QString::fromLatin1(bytes.toBase64());
   }
-  return QStringLiteral("<img src=\"%1\" width=\"360\" alt=\"%2\">").arg(source, hole.name.toHtmlEscaped());
+  return QStringLiteral("<img src=\"%1\" width=\"300\" height=\"200\" alt=\"%2\">")
+      .arg(source, hole.name.toHtmlEscaped());
 }
 
 }  // namespace
@@ -191,7 +192,7 @@ QString html_of(const FillReport& report, PictureLinks links) {
                      "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\">"
                      "<meta name=\"viewport\" content=\"width=device-width\"><title>%1</title>\n"
                      "<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; } "
-                     "img { max-width: 100%; } td { vertical-align: top; padding: 8px; } "
+                     "img { max-width: 100%; height: auto; } td { vertical-align: top; padding: 8px; } "
                      "pre { white-space: pre-wrap; }</style></head>\n<body>\n<h1>%1</h1>\n")
                      .arg(title);
   for (const QString& fact : report.facts) html += paragraph(fact);

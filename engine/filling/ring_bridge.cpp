@@ -29,6 +29,7 @@ constexpr double least_of_a_torus = 0.6, most_of_a_torus = 1.4;
 constexpr double reach_behind =
     0.35;  ///< of the walls behind the loops, in widths of the ring: an eighth of that circle
 constexpr int fewest_samples = 12;
+constexpr std::size_t most_starts = 64;  ///< places of a loop behind which its wall is sampled
 constexpr std::size_t most_cuts = 32;  ///< between the loops, until one crosses neither
 
 Vec3 center_of(const Points& points) {
@@ -63,11 +64,13 @@ std::size_t nearest(const Points& points, const Vec3& p) {
 }
 
 /// How far each wall has moved sideways, towards the other loop, over how far behind its own loop: (back, aside) of all vertices behind
-/// up to `reach`.
+/// up to `reach`, from places spread evenly over the loop.
 std::vector<Eigen::Vector2d> samples_behind(const TriMesh& mesh, const BoundaryLoop& loop, const Points& others,
                                             const Vec3& axis, double reach) {
   std::vector<Eigen::Vector2d> samples;
-  for (int start : loop.vertices) {
+  const std::size_t stride = std::max<std::size_t>(1, loop.vertices.size() / most_starts);
+  for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
+    const int start = loop.vertices[k];
     const Vec3 p = mesh.point(TriMesh::VertexHandle(start));
     Vec3 aside = others[nearest(others, p)] - p;
     aside = (aside - axis.dot(aside) * axis).normalized();
