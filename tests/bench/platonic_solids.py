@@ -4,6 +4,7 @@
 
 Usage: platonic_solids.py LOOPMEND
 """
+import os
 import itertools
 import subprocess
 import sys
@@ -74,7 +75,7 @@ def main():
     print("| solid | 2 subdivisions | 3 | 4 |\n| --- | ---: | ---: | ---: |")
     for name, points in solids.items():
         text = off(points)
-        print(f"| {name} | " + " | ".join(f"{distance(sys.argv[1], text, k):.1e}" for k in (2, 3, 4)) + " |")
+        print(f"| {name} | " + " | ".join(f"{distance(os.path.abspath(sys.argv[1]), text, k):.1e}" for k in (2, 3, 4)) + " |")
 
 
 if __name__ == "__main__":
