@@ -307,6 +307,7 @@ std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<
 std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                             const CancelToken& cancel) {
   constexpr double shortest_onward = 0.5;  // of walls that are steep along most of the loop
+  constexpr double coarse = 0.25;          // density: whether there is a ring does not depend on it
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
   const auto may_end = [&](std::size_t k) {
     const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
@@ -325,7 +326,7 @@ std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std
   std::vector<std::pair<int, int>> rings;
   std::set<int> joined;
   for (const auto& [width, i, j] : pairs) {
-    if (joined.contains(i) || joined.contains(j) || !ring_between(model, {loops[i], loops[j]}, 1, cancel)) continue;
+    if (joined.contains(i) || joined.contains(j) || !ring_between(model, {loops[i], loops[j]}, coarse, cancel)) continue;
     joined.insert({i, j});
     rings.emplace_back(i, j);
   }
