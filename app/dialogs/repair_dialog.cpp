@@ -124,7 +124,7 @@ void RepairDialog::build() {
   grid->setColumnStretch(0, 1);
   auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
   all_ = make_button("repairAll", tr("&Fix all"),
-                     tr("Mend everything that was found but overlaps and tiny handles, in this order"));
+                     tr("Repair everything that was found but overlaps and tiny handles, in this order"));
   buttons->addButton(all_, QDialogButtonBox::ActionRole);
   all_->setDefault(true);
   connect(all_, &QPushButton::clicked, this, [this] {

@@ -129,7 +129,7 @@ QStringList facts_of(const Document& document, const FillReport& report, std::si
     return !document.scan(scan)->repaired_from.isEmpty() || document.scan(scan)->from == ScanOrigin::made;
   });
   facts << (is_changed ? tr("The scan was changed before its holes were filled: this page shows the patches alone.")
-                       : tr("The vertices of the scan are where they were; only what is shown here is new."));
+                       : tr("The vertices of the scan are where they were; only the patches shown here are new."));
   const QString unit = labels::unit_name(document.unit());
   facts << (document.unit().empty() ? tr("The unit of lengths is not known.") : tr("Lengths are in %1.").arg(unit));
   facts << tr("Loopmend %1, %2.")

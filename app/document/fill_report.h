@@ -30,7 +30,7 @@ struct FillReport {
   QStringList remarks;  ///< what the command does not repeat
 };
 
-/// Holes that a person should look at come first. Pictures are left to be drawn.
+/// Holes that a person should look at come first. Pictures are empty.
 FillReport fill_report(const Document& document);
 
 enum class PictureLinks {

@@ -84,7 +84,7 @@ void FillBox::build() {
          "between tiles; Ctrl+Z takes it back"));
   repair_ = make_button(
       "repair", tr("Repair\u2026"),
-      tr("What is wrong with the scan, each with its count and a button: vertices to be joined, degenerate, duplicate "
+      tr("The defects of the scan, each with its count and a button: vertices to be joined, degenerate, duplicate "
          "and intersecting faces, non-manifold edges, fragments"));
   whole_ = make_button("fillAndSmooth", tr("Fill and smooth"),
                        tr("Close the selected holes, or all holes when none is selected, and let the flow run to its "

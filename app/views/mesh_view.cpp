@@ -161,7 +161,7 @@ void MeshView::follow_document() {
 QWidget* MeshView::canvas() const { return impl_->canvas; }
 
 void MeshView::redraw() {
-  // Not started again by each wish: a flow that moves faster than the graphics would never be seen.
+  // Not restarted by each request: a flow that moves faster than the graphics would never be seen.
   const QTimer& timer = impl_->redraw_timer;
   if (!timer.isActive() || timer.remainingTime() > impl_->pause_ms) impl_->redraw_timer.start(impl_->pause_ms);
 }

@@ -15,7 +15,7 @@ class ShownShapes {
     ShapePtr whole;               ///< null: all of it is hidden
     std::vector<ShapePtr> parts;  ///< in the scan's own colours
   };
-  /// Made again only when the scan's shape, or what is hidden of it, is another.
+  /// Rebuilt only when the scan's shape or its hidden components change.
   const Shown& of(const Document& document, const SceneVisibility& visibility, int scan);
 
  private:

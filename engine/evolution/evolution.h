@@ -86,7 +86,7 @@ void check(const EvolutionOptions& options);
 
 /// True if the boundary data decide how far the flow itself runs: nothing in the options does.
 bool is_judged(const EvolutionOptions& options);
-/// True if sharp edges run on, and what is drawn or stopped by hand counts: nothing in the options asks for one smooth patch.
+/// True if sharp edges run on, and edges that are drawn or stopped by hand count: nothing in the options asks for one smooth patch.
 bool continues_edges(const EvolutionOptions& options);
 
 /// What shaped a patch.

@@ -144,7 +144,7 @@ class Uniting {
  private:
   void offer(int a, int b) { next_.emplace(size_of(a) + size_of(b), std::min(a, b), std::max(a, b)); }
 
-  /// `a` is the union of both: what is beside it, is tried again.
+  /// `a` is the union of both: its neighbors are tried again.
   void replace_both(int a, int b) {
     for (int& root : root_)
       if (root == b) root = a;

@@ -2,14 +2,8 @@
 #include "repair/inverted_shells.h"
 
 #include "mesh/pieces.h"
+#include "repair/inside_shell.h"
 
-#define CGAL_NO_DEPRECATION_WARNINGS 1  // CGAL 6, of Debian 13, has AABB_traits_3 beside AABB_traits, CGAL 5 has not
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/Surface_mesh.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -20,11 +14,6 @@
 namespace loopmend {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using ShellMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using ShellTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<ShellMesh>>>;
-using ShellSide = CGAL::Side_of_triangle_mesh<ShellMesh, Kernel>;
 
 /// Openings of a shell that is still closed, as a part of its area.
 constexpr double most_open = 0.05;
@@ -100,48 +89,35 @@ std::vector<Shell> with_faces(const SurfaceModel& model, std::vector<Shell> shel
   return shells;
 }
 
-/// The surface of a shell with its covers; its vertices are not shared, which the search for sides does not need.
-ShellMesh mesh_of(const SurfaceModel& model, const Shell& shell) {
-  ShellMesh mesh;
-  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto vertex = [&](const Vec3& p) { return mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z())); };
-    mesh.add_face(vertex(a), vertex(b), vertex(c));
-  };
-  for (int f : shell.faces) {
-    const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
-    add(model.soup.points[t[0]], model.soup.points[t[1]], model.soup.points[t[2]]);
-  }
-  for (std::size_t k = 0; k < shell.covers.size(); k += 3)
-    add(shell.covers[k], shell.covers[k + 1], shell.covers[k + 2]);
-  return mesh;
+/// The surface of a shell with its covers, three corners after another.
+Points corners_of(const SurfaceModel& model, const Shell& shell) {
+  Points corners;
+  for (int f : shell.faces)
+    for (int v : model.soup.triangles[static_cast<std::size_t>(f)]) corners.push_back(model.soup.points[v]);
+  corners.insert(corners.end(), shell.covers.begin(), shell.covers.end());
+  return corners;
 }
 
 /// Whether some vertices of the shell all lie inside.
-bool lies_in(const SurfaceModel& model, const Shell& shell, const ShellSide& side) {
+bool lies_in(const SurfaceModel& model, const Shell& shell, const InsideShell& other) {
   bool any = false;
   const std::size_t step = std::max<std::size_t>(1, shell.faces.size() / most_samples);
   for (std::size_t k = 0; k < shell.faces.size(); k += step) {
     const Vec3& p = model.soup.points[model.soup.triangles[static_cast<std::size_t>(shell.faces[k])][0]];
-    const auto found = side(Kernel::Point_3(p.x(), p.y(), p.z()));
-    if (found == CGAL::ON_UNBOUNDED_SIDE) return false;
-    any = any || found == CGAL::ON_BOUNDED_SIDE;
+    const InsideShell::Place place = other.of(p);
+    if (place == InsideShell::Place::outside) return false;
+    any = any || place == InsideShell::Place::inside;
   }
   return any;
 }
 
 void find_nesting(const SurfaceModel& model, std::vector<Shell>& shells) {
   for (std::size_t outer = 0; outer < shells.size(); ++outer) {
-    ShellMesh mesh;
-    ShellTree tree;
-    std::optional<ShellSide> side;
+    std::optional<InsideShell> inside;
     for (std::size_t inner = 0; inner < shells.size(); ++inner) {
       if (inner == outer || !shells[outer].box.contains(shells[inner].box)) continue;
-      if (!side) {
-        mesh = mesh_of(model, shells[outer]);
-        tree.rebuild(faces(mesh).first, faces(mesh).second, mesh);
-        side.emplace(tree);
-      }
-      if (lies_in(model, shells[inner], *side)) shells[inner].around.push_back(static_cast<int>(outer));
+      if (!inside) inside.emplace(corners_of(model, shells[outer]));
+      if (lies_in(model, shells[inner], *inside)) shells[inner].around.push_back(static_cast<int>(outer));
     }
   }
 }

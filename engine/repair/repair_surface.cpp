@@ -26,7 +26,7 @@ namespace {
 constexpr int most_faces_of_a_fragment = 10;
 constexpr double extent_of_a_fragment = 0.05;
 /// Openings of a body that is closed but for small holes, as a part of its area.
-constexpr double most_open = 0.05;
+constexpr double most_open_of_a_body = 0.05;
 constexpr int most_joins_of_separated = 10;  ///< 2 were the most in 24 scans
 
 /// For each view face whether its piece of surface is a fragment. @param pieces  is set to the number of fragments.
@@ -200,11 +200,11 @@ std::vector<int> body_of_faces(const TriangleSoup& soup) {
   for (const BoundaryLoop& loop : find_boundary_loops(model)) open[piece_beside(model.mesh, piece, loop)] += loop.area;
   std::vector<int> result(soup.triangles.size(), -1);
   for (std::size_t f = 0; f < piece.size(); ++f)
-    if (open[piece[f]] <= most_open * area[piece[f]]) result[model.soup_face[f]] = piece[f];
+    if (open[piece[f]] <= most_open_of_a_body * area[piece[f]]) result[model.soup_face[f]] = piece[f];
   return result;
 }
 
-/// What is closed stays so, but for where it crosses itself. Small holes will be filled.
+/// Closed bodies stay closed, except where they cross themselves. Small holes will be filled.
 std::vector<char> intersecting(const TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
   std::vector<char> result(soup.triangles.size(), 0);
   const std::vector<int> body = body_of_faces(soup);

@@ -6,14 +6,8 @@
 #include "mesh/surface_model.h"
 #include "repair/divided_faces.h"
 #include "repair/exact_union.h"
+#include "repair/inside_shell.h"
 
-#define CGAL_NO_DEPRECATION_WARNINGS 1  // CGAL 6, of Debian 13, has AABB_traits_3 beside AABB_traits, CGAL 5 has not
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/Surface_mesh.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -29,11 +23,6 @@
 namespace loopmend {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using ShellMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using ShellTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<ShellMesh>>>;
-using ShellSide = CGAL::Side_of_triangle_mesh<ShellMesh, Kernel>;
 
 /// A connected part of the surface.
 struct BodyShell {
@@ -142,11 +131,11 @@ class Bodies {
   }
 
   /// Whether the inner shell, which does not cross the other, lies within it.
-  bool lies_in(const BodyShell& inner, const ShellSide& side) const {
+  bool lies_in(const BodyShell& inner, const InsideShell& outer) const {
     for (int f : inner.faces)
       for (const Vec3& p : corners(f)) {
-        const auto found = side(Kernel::Point_3(p.x(), p.y(), p.z()));
-        if (found != CGAL::ON_BOUNDARY) return found == CGAL::ON_BOUNDED_SIDE;
+        const InsideShell::Place place = outer.of(p);
+        if (place != InsideShell::Place::on_surface) return place == InsideShell::Place::inside;
       }
     return false;
   }
@@ -177,13 +166,10 @@ class Bodies {
             faces_at[{found[a].shell, found[b].shell}].insert(found[a].face);
     }
     for (const auto& [pair, own] : faces_at) {
-      ShellMesh mesh = mesh_of(shells_[pair.second]);
-      const ShellTree tree(faces(mesh).first, faces(mesh).second, mesh);
-      const ShellSide side(tree);
+      const InsideShell other(corners_of(shells_[pair.second]));
       const bool overlap = std::any_of(own.begin(), own.end(), [&](int f) {
         const auto [a, b, c] = corners(f);
-        const Vec3 middle = (a + b + c) / 3;
-        return side(Kernel::Point_3(middle.x(), middle.y(), middle.z())) == CGAL::ON_BOUNDED_SIDE;
+        return other.of((a + b + c) / 3) == InsideShell::Place::inside;
       });
       // A shell that lies within another has its middles there, too: one of them has a face outside.
       if (!overlap || shells_[pair.second].box.contains(shells_[pair.first].box)) continue;
@@ -192,32 +178,24 @@ class Bodies {
     }
   }
 
-  ShellMesh mesh_of(const BodyShell& shell) const {
-    ShellMesh mesh;  // its vertices are not shared, which the search for sides does not need
-    for (int f : shell.faces) {
-      const auto [a, b, c] = corners(f);
-      const auto vertex = [&](const Vec3& p) { return mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z())); };
-      mesh.add_face(vertex(a), vertex(b), vertex(c));
-    }
-    return mesh;
+  /// Three after another.
+  Points corners_of(const BodyShell& shell) const {
+    Points all;
+    for (int f : shell.faces)
+      for (const Vec3& p : corners(f)) all.push_back(p);
+    return all;
   }
 
   void find_nesting() {
     for (std::size_t outer = 0; outer < shells_.size(); ++outer) {
       if (!shells_[outer].is_sound()) continue;
-      ShellMesh mesh;
-      ShellTree tree;
-      std::optional<ShellSide> side;
+      std::optional<InsideShell> inside;
       for (std::size_t inner = 0; inner < shells_.size(); ++inner) {
         if (inner == outer || !shells_[inner].is_sound() || !shells_[outer].box.contains(shells_[inner].box)) continue;
         const ShellPair pair = std::minmax(static_cast<int>(inner), static_cast<int>(outer));
         if (crossings_.contains(pair)) continue;
-        if (!side) {
-          mesh = mesh_of(shells_[outer]);
-          tree.rebuild(faces(mesh).first, faces(mesh).second, mesh);
-          side.emplace(tree);
-        }
-        if (lies_in(shells_[inner], *side)) shells_[inner].around.push_back(static_cast<int>(outer));
+        if (!inside) inside.emplace(corners_of(shells_[outer]));
+        if (lies_in(shells_[inner], *inside)) shells_[inner].around.push_back(static_cast<int>(outer));
       }
     }
   }

@@ -62,7 +62,7 @@ TEST_F(UnionCommand, OverlappingBodiesAreNamedAndUnited) {
     const double distance = Vec3(1, 0.1, 0.2).norm(), height = 1 - distance / 2;
     EXPECT_NEAR(written("out.ply").volume, 8 * M_PI / 3 - 2 * M_PI * height * height * (3 - height) / 3, 0.1);
   }
-  // Once more, nothing is left to do.
+  // A second run changes nothing.
   EXPECT_EQ(fill("out.ply", "again.ply", "--union").code, 0);
   EXPECT_EQ(united()["bodies"], 0);
   EXPECT_EQ(test::text_of(work / "again.ply"), test::text_of(work / "out.ply"));

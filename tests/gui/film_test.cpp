@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Films of a flow: the file itself, the one that the window writes, the one that `loopmend render --film` writes.
-// What is in them, the GIF reader of Qt says. And the report of the holes.
+// Qt's GIF reader reads them back. And the report of the holes.
 #include "driver.h"
 #include "test_main.h"
 

@@ -98,7 +98,7 @@ class RepairTest : public QObject {
   void export_dialog_tells_the_verdict();
   void patches_are_exported_by_themselves();
   void what_is_new_is_labelled();
-  void defects_are_listed_and_mended_one_by_one();
+  void defects_are_listed_and_repaired_one_by_one();
   void overlapping_bodies_become_one();
   void preparing_does_what_the_command_line_does_with_auto();
   void fix_all_leaves_nothing_to_fix_data();
@@ -199,7 +199,7 @@ void RepairTest::what_is_new_is_labelled() {
              v < old_points ? 0.0 : static_cast<double>(static_cast<float>(state.deviation.vertices[v - old_points])));
 }
 
-void RepairTest::defects_are_listed_and_mended_one_by_one() {
+void RepairTest::defects_are_listed_and_repaired_one_by_one() {
   TriangleSoup soup = make_icosphere(3);
   soup.triangles.push_back({3, 3, 4});
   soup.triangles.push_back(soup.triangles.front());

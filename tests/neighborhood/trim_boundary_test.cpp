@@ -195,7 +195,7 @@ TEST(TrimBoundary, TakesTheFragmentsThatItCutsOff) {
                                                    {first + 1, BoundaryFault::fragment}}));
 }
 
-TEST(TrimBoundary, ABoundaryThatWasMendedIsFilledLikeOneThatWasNeverBad) {
+TEST(TrimBoundary, ABoundaryThatWasTrimmedIsFilledLikeOneThatWasNeverBad) {
   const test::RaggedBoundary boundary = test::ragged_boundary();
   SurfaceModel clean = make_surface_model(boundary.clean);
   const SurfaceModel ragged = make_surface_model(boundary.ragged);

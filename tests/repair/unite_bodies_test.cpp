@@ -231,7 +231,7 @@ TEST(UniteBodies, AnOverlapWithoutAManifoldIsRefused) {
   EXPECT_EQ(united.soup.triangles, both.triangles);
 }
 
-/// CGAL does not take them; other bodies are united all the same.
+/// CGAL does not take them; other bodies are still united.
 TEST(UniteBodies, ABodyWithAFaceWithoutAreaIsLeftAndOthersAreUnited) {
   TriangleSoup flawed = box({0, 0, 0}, {1, 1, 1});
   const int middle = static_cast<int>(flawed.points.size());
