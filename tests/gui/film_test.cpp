@@ -170,6 +170,7 @@ void FilmTest::the_window_writes_the_flow() {
   run_a_flow(window);
   const QPointer<FilmDialog> dialog = opened(window);
   QVERIFY(dialog);
+  QVERIFY(settle());
   const QImage before = window.view().picture();
   QSignalSpy saved(dialog, &FilmDialog::saved);
   GapMeter gaps;
