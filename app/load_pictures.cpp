@@ -2,6 +2,7 @@
 // In place of the scene's pictures, for the command line: the module that draws them is loaded when a picture is asked for, so that
 // other commands start without VTK.
 #include "core/error.h"
+#include "core/own_files.h"
 #include "core/path_text.h"
 #include "picture_functions.h"
 
@@ -13,23 +14,17 @@ namespace loopmend {
 
 namespace {
 
-/// Beside the program, as it was built, or where it is installed.
-std::filesystem::path module_file() {
-  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::filesystem::path built = folder / LOOPMEND_PICTURES_MODULE;
-  return exists(built) ? built : (folder / LOOPMEND_PICTURES_FOLDER / LOOPMEND_PICTURES_MODULE).lexically_normal();
-}
-
 const PictureFunctions& pictures() {
   static const PictureFunctions* functions = [] {
-    const std::filesystem::path file = module_file();
-    if (!exists(file))
-      throw Error(say("pictures cannot be drawn: %1 is missing. In Debian's packages it is in loopmend-pictures.",
-                      path_text(file)));
-    void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* function = module ? dlsym(module, picture_functions_name) : nullptr;
-    if (!function) throw Error(say("pictures cannot be drawn: %1 was not loaded (%2).", path_text(file), dlerror()));
-    return reinterpret_cast<const PictureFunctions* (*)()>(function)();
+    try {
+      const std::filesystem::path file = own_file("loopmend-pictures.so");
+      void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+      void* function = module ? dlsym(module, picture_functions_name) : nullptr;
+      if (!function) throw Error(say("%1 was not loaded (%2)", path_text(file), dlerror()));
+      return reinterpret_cast<const PictureFunctions* (*)()>(function)();
+    } catch (const Error& error) {
+      throw Error(say("pictures cannot be drawn: %1", error.message()));
+    }
   }();
   return *functions;
 }

@@ -38,7 +38,7 @@ constexpr const char* help =
     "\n"
     "Usage: loopmend-gui [FILE...]\n"
     "\n"
-    "  FILE       scans to open in one scene (PLY, STL, OBJ, OFF, glTF or 3MF), or one saved session\n"
+    "  FILE       scans to open in one scene (PLY, STL, OBJ, OFF, glTF, 3MF or VTK polydata), or one saved session\n"
     "  --help     print this and exit\n"
     "  --version  print the version and exit\n"
     "\n"

@@ -81,17 +81,18 @@ macro(package component name depends description)
   set(CPACK_COMPONENT_${upper}_DESCRIPTION "${description}")
   install(FILES ${debian}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/${name} COMPONENT ${component})
 endmacro()
-package(application loopmend "loopmend-cli (= ${PROJECT_VERSION}), qttranslations5-l10n"
+package(application loopmend "loopmend-cli (= ${PROJECT_VERSION}), loopmend-pictures (= ${PROJECT_VERSION}), qttranslations5-l10n"
 "The window shows scans, their boundary loops, and patches that a geometric
 flow shapes while you watch. It gives figures for the seam, compares flows,
-and exports STL, PLY, OBJ, OFF, glTF and 3MF.")
+and exports STL, PLY, OBJ, OFF, glTF, 3MF and VTK polydata.")
 package(command_line loopmend-cli ""
 "The command line fills holes, joins boundary loops of several meshes, smooths
 regions and, with loopmend-pictures, draws. It reads and writes PLY, STL, OBJ, OFF, glTF and 3MF.")
 if(TARGET loopmend_pictures)
   package(pictures loopmend-pictures "loopmend-cli (= ${PROJECT_VERSION})"
 "What the command line draws pictures with: thumbnails of the file manager, the
-command render, and the pages of batch. It brings VTK and OpenGL.")
+command render, and the pages of batch. It reads and writes VTK polydata, and
+brings VTK and OpenGL.")
   set(CPACK_DEBIAN_PICTURES_PACKAGE_RECOMMENDS libgl1-mesa-dri)  # on machines without a graphics driver
   set(CPACK_DEBIAN_COMMAND_LINE_PACKAGE_RECOMMENDS "loopmend-pictures (= ${PROJECT_VERSION})")
 endif()

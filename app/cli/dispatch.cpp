@@ -49,7 +49,7 @@ std::string quoted_command_line(int argc, char** argv) {
 
 void add_info(CLI::App& app, InfoCommand& command) {
   CLI::App* info = app.add_subcommand("info", "Tell what is in a mesh: counts, repairs, boundary loops");
-  info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
+  info->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF, VTK polydata)")->required();
   add_weld(*info, command.coincident);
   add_double(*info, command.float_text);
   info->add_option("--json", command.json, "Write JSON to FILE, or to standard output for -")->type_name("FILE|-");

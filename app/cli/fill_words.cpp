@@ -92,7 +92,7 @@ void add_check(CLI::App& command, Check& check, const char* what) {
 
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   CLI::App* fill = app.add_subcommand("fill", "Fill boundary loops with smooth patches");
-  fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
+  fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF, VTK polydata)")->required();
   fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
   add_weld(*fill, command.coincident);
   add_double(*fill, command.float_text);
@@ -185,7 +185,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->capture_default_str();
   fill->add_flag_callback(
       "--mark", [&command] { command.write.new_faces = NewFaces::labelled; },
-      "Label the new triangles: face property patch of PLY, group loopmend_patch of OBJ, object of glTF and 3MF");
+      "Label the new triangles: face property patch of PLY and polydata, group loopmend_patch of OBJ, object of glTF and 3MF");
   fill->add_flag_callback(
       "--deviation", [&command] { command.deviations = FillCommand::Deviations::written; },
       "PLY: write how far each new vertex is likely from what was there, as vertex property expected_deviation");

@@ -57,7 +57,7 @@ void print_not_kept(const OpenedModel& opened) {
     std::printf("  also holds: %s\n", to_string(carried).c_str());
   if (!opened.import.not_kept.empty())
     std::printf("  in no file that Loopmend writes: %s\n", to_string(opened.import.not_kept).c_str());
-  for (const char* format : {"PLY", "STL", "OBJ", "OFF", "GLB", "3MF"}) {
+  for (const char* format : {"PLY", "STL", "OBJ", "OFF", "GLB", "3MF", "VTP"}) {
     const std::vector<NotKept> list = not_kept_by_format(std::string("x.") + format, opened.model.soup);
     if (!list.empty()) std::printf("  not in %s: %s\n", format, to_string(list).c_str());
   }

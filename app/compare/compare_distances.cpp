@@ -35,9 +35,9 @@ void CompareWindow::build_from() {
 
 void CompareWindow::choose_from() {
   if (from_->currentData().toInt() == mesh_entry) {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Mesh to measure from"), {},
-        tr("Meshes (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(this, tr("Mesh to measure from"), {},
+                                                      tr("Meshes (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.vtp "
+                                                         "*.vtk *.gz *.PLY *.STL *.OBJ *.OFF);;All files (*)"));
     if (!path.isEmpty()) measure_from_mesh(path);
     if (mesh_.isEmpty()) from_->setCurrentIndex(0);
   }

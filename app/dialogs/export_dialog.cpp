@@ -87,7 +87,7 @@ ExportChoice ExportDialog::choice() const {
   return choice;
 }
 
-/// STL and OFF have no room for labels, and PLY alone has room for a number of each vertex.
+/// STL and OFF have no room for labels, and PLY and polydata have room for a number of each vertex.
 void ExportDialog::follow_format() {
   const QString name = path().toLower();
   const auto is = [&](const char* ending) {
@@ -96,14 +96,15 @@ void ExportDialog::follow_format() {
   const QString one_scan = tr("Only where the file has one scan");
   new_faces_->setEnabled(has_labels_ && !is(".stl") && !is(".off"));
   explain(new_faces_, tr("Label new triangles"),
-          !has_labels_              ? one_scan
-          : new_faces_->isEnabled() ? tr("PLY: face property patch; OBJ: group, glTF and 3MF: object loopmend_patch")
-                                    : tr("STL and OFF have no room for a label"));
-  deviations_->setEnabled(has_labels_ && is(".ply"));
+          !has_labels_ ? one_scan
+          : new_faces_->isEnabled()
+              ? tr("PLY and VTK: face property patch; OBJ: group, glTF and 3MF: object loopmend_patch")
+              : tr("STL and OFF have no room for a label"));
+  deviations_->setEnabled(has_labels_ && (is(".ply") || is(".vtp") || is(".vtk")));
   explain(deviations_, tr("Likely error of new vertices"),
           !has_labels_               ? one_scan
           : deviations_->isEnabled() ? tr("Vertex property expected_deviation, in the unit of the scan")
-                                     : tr("PLY alone has room for it"));
+                                     : tr("PLY and VTK polydata alone have room for it"));
 }
 
 QString ExportDialog::path() const {

@@ -26,7 +26,7 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   QFont large = title->font();
   large.setPointSizeF(large.pointSizeF() * 1.6);
   title->setFont(large);
-  auto* formats = new QuietLabel(tr("PLY, STL, OBJ, OFF, glTF or 3MF; or a saved session"));
+  auto* formats = new QuietLabel(tr("PLY, STL, OBJ, OFF, glTF, 3MF or VTK polydata; or a saved session"));
   for (QLabel* words : {title, static_cast<QLabel*>(formats)}) {
     words->setWordWrap(true);
     words->setAlignment(Qt::AlignHCenter);

@@ -99,10 +99,10 @@ void FileController::when_safe(const std::function<void()>& act) {
 }
 
 void FileController::ask_open(OpenMode mode) {
-  const QStringList paths =
-      QFileDialog::getOpenFileNames(window_, mode == OpenMode::add ? tr("Add scans to the scene") : tr("Open"), {},
-                                    tr("Scans and sessions (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.gz *.loopmend "
-                                       "*.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF);;All files (*)"));
+  const QStringList paths = QFileDialog::getOpenFileNames(
+      window_, mode == OpenMode::add ? tr("Add scans to the scene") : tr("Open"), {},
+      tr("Scans and sessions (*.ply *.stl *.obj *.off *.glb *.gltf *.3mf *.vtp *.vtk *.gz *.loopmend "
+         "*.PLY *.STL *.OBJ *.OFF *.GLB *.GLTF *.3MF *.VTP *.VTK);;All files (*)"));
   open(paths, mode);
 }
 
@@ -118,13 +118,14 @@ QString FileController::proposal(const QString& ending) const {
 void FileController::ask_export() {
   // In the scan's own format, which has room for all that the scan holds.
   const QStringList filters =
-      tr("PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf)")
+      tr("PLY (*.ply);;STL (*.stl);;OBJ (*.obj);;OFF (*.off);;glTF (*.glb);;glTF text (*.gltf);;3MF (*.3mf);;"
+         "VTK polydata (*.vtp);;VTK legacy (*.vtk)")
           .split(QStringLiteral(";;"));
   const std::string own = document_.first_scan().import.format;
   const int format =
-      std::max(0, static_cast<int>(QStringList{QStringLiteral("PLY"), QStringLiteral("STL"), QStringLiteral("OBJ"),
-                                               QStringLiteral("OFF"), QStringLiteral("glTF"),
-                                               QStringLiteral("glTF text"), QStringLiteral("3MF")}
+      std::max(0, static_cast<int>(QStringList{
+                      QStringLiteral("PLY"), QStringLiteral("STL"), QStringLiteral("OBJ"), QStringLiteral("OFF"),
+                      QStringLiteral("glTF"), QStringLiteral("glTF text"), QStringLiteral("3MF"), QStringLiteral("VTK")}
                                        .indexOf(QString::fromStdString(own))));
   const QString chosen = filters.value(format);
   const QString ending = chosen.section(QStringLiteral("*"), 1).chopped(1);

@@ -64,7 +64,7 @@ bool mark_new_faces(const std::filesystem::path& path, TriangleSoup& soup) {
   if (format == Format::stl || format == Format::off) return false;
   const auto continued = continued_of(soup);
   const std::size_t count = count_new_faces(soup);
-  if (format == Format::ply)
+  if (format == Format::ply || format == Format::polydata)
     put_column("patch", ScalarType::uint8, std::vector<double>(count, 1), soup.attributes->faces, continued->faces);
   else
     mark_by_name(format == Format::obj ? "g" : "o", soup, *continued, count);
@@ -74,7 +74,8 @@ bool mark_new_faces(const std::filesystem::path& path, TriangleSoup& soup) {
 
 bool label_expected_deviation(const std::filesystem::path& path, TriangleSoup& soup,
                               const std::vector<double>& values) {
-  if (format_of(path) != Format::ply) return false;
+  const Format format = format_of(path);
+  if (format != Format::ply && format != Format::polydata) return false;
   const auto continued = continued_of(soup);
   std::vector<double> rows;
   const std::size_t first = soup.points.size() - values.size();

@@ -402,7 +402,7 @@ WrittenScan write_scan(OutputTransaction& outputs, const std::filesystem::path& 
     written.remarks.push_back(say("STL and OFF have no label for new triangles: they are not told from others."));
   if (!options.expected_deviation.empty() && !label_expected_deviation(path, soup, options.expected_deviation))
     written.remarks.push_back(
-        say("Only PLY has room for the expected deviation of each vertex: it is not in the output."));
+        say("Only PLY and polydata have room for the expected deviation of each vertex: it is not in the output."));
   // The rows of what is new stay valid: all of it comes along, in its order, or none.
   if (!options.written.empty()) soup = select_triangles(soup, options.written).soup;
   write_mesh(outputs, path, soup, options.encoding);

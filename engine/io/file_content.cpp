@@ -107,6 +107,11 @@ bool is_off_keyword(std::string_view given) {
   return among(all.substr(0, at), "STCN4n") && among(all.substr(at + 3), "0123456789");
 }
 
+/// XML, perhaps after its declaration, or the legacy format.
+bool is_polydata(std::string_view text) {
+  return starts_with(text, "# vtk DataFile") || text.substr(0, 1024).find("<VTKFile") != std::string_view::npos;
+}
+
 bool is_obj_keyword(std::string_view token) {
   constexpr std::array<std::string_view, 14> words = {"v", "vn", "vt", "vp", "f",      "o",      "g",
                                                       "s", "l",  "p",  "mg", "mtllib", "usemtl", "cstype"};
@@ -171,9 +176,10 @@ MeshFormat format_by_extension(const FileContent& file, std::string_view text, s
   if (extension == ".ply") refuse_beginning(file, say("does not begin with \"ply\" as every PLY file does"));
   if (extension == ".3mf") refuse_beginning(file, say("does not begin as 3MF files do"));
   if (extension == ".glb" || extension == ".gltf") refuse_beginning(file, say("does not begin as glTF files do"));
+  if (extension == ".vtp" || extension == ".vtk") refuse_beginning(file, say("does not begin as VTK files do"));
   if (extension == ".off") refuse_beginning(file, say("does not begin with \"OFF\" as OFF files do"));
   throw ReadError(file.path, say("this is not a mesh format that Loopmend knows"), {},
-                  say("It reads PLY, STL, OBJ, OFF, glTF and 3MF files."));
+                  say("It reads PLY, STL, OBJ, OFF, glTF and 3MF files, and VTK's polydata."));
 }
 
 }  // namespace
@@ -184,6 +190,7 @@ MeshFormat detect_format(const FileContent& file) {
   const std::string_view text = mesh_text(file);
   if (starts_with(text, "PK\x03\x04")) return MeshFormat::three_mf;
   if (starts_with(text, "glTF")) return MeshFormat::gltf;
+  if (is_polydata(text)) return MeshFormat::polydata;
   const std::string_view first = first_token(text.substr(0, 65536));
   if (!first.empty() && first.front() == '{') return MeshFormat::gltf;
   if (first == "ply") return MeshFormat::ply;

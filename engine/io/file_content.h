@@ -13,7 +13,7 @@ struct FileContent {
   std::string bytes;  ///< exactly what the file holds; of one compressed with gzip, what is packed in it
 };
 
-enum class MeshFormat { ply, stl_ascii, stl_binary, obj, off, gltf, three_mf };
+enum class MeshFormat { ply, stl_ascii, stl_binary, obj, off, gltf, three_mf, polydata };
 
 /// The file as it is. @throws ReadError as load_file
 FileContent load_bytes(const std::filesystem::path& path);

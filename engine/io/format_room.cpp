@@ -104,6 +104,7 @@ bool holds(const Room& room, const TriangleSoup& soup, bool of_faces, const Attr
   const std::string& name = column.name();
   const AttributeRole role = role_of(name);
   if (room.is(Format::ply)) return true;
+  if (room.is(Format::polydata)) return !column.is_list();
   if (!of_faces && role == AttributeRole::color && !soup.colors.empty()) return true;
   if (room.is(Format::stl)) return of_faces && stl_holds(room, scan, column);
   if (room.is(Format::off) && of_faces) return scan.format == "OFF" && name == "color";

@@ -110,7 +110,7 @@ void write_3mf(Output& out, const TriangleSoup& soup);
 /// Whether faces have columns red, green and blue that 3MF holds.
 bool has_face_colors(const ScanAttributes& scan);
 
-enum class Format { ply, stl, obj, off, glb, gltf, three_mf };
+enum class Format { ply, stl, obj, off, glb, gltf, three_mf, polydata };
 
 /// By the extension. @throws WriteError for one that is not known.
 Format format_of(const std::filesystem::path& path);

@@ -7,7 +7,7 @@
 #include "io/file_content.h"
 #include "io/first_occurrence.h"
 #include "io/gzip.h"
-#include "io/polygon_soup.h"
+#include "io/polydata.h"
 #include "io/text_cursor.h"
 #include "mesh/join_touching_fans.h"
 #include "mesh/rounding_cracks.h"
@@ -45,6 +45,7 @@ const char* format_name(MeshFormat format) {
     case MeshFormat::off: return "OFF";
     case MeshFormat::gltf: return "glTF";
     case MeshFormat::three_mf: return "3MF";
+    case MeshFormat::polydata: return "VTK";
   }
   return "";
 }
@@ -58,6 +59,7 @@ PolygonSoup parse(const FileContent& file, MeshFormat format, FloatText float_te
     case MeshFormat::off: return parse_off(file);
     case MeshFormat::gltf: return parse_gltf(file);
     case MeshFormat::three_mf: return parse_3mf(file);
+    case MeshFormat::polydata: return parse_polydata(file);
   }
   return {};
 }
@@ -296,7 +298,7 @@ ImportedMesh import(const std::filesystem::path& path, CoincidentVertices coinci
 }  // namespace
 
 bool is_mesh_name(const std::filesystem::path& path) {
-  constexpr std::array extensions{".ply", ".stl", ".obj", ".off", ".glb", ".gltf", ".3mf"};
+  constexpr std::array extensions{".ply", ".stl", ".obj", ".off", ".glb", ".gltf", ".3mf", ".vtp", ".vtk"};
   const std::string extension = path_text(without_gzip_name(path).extension());
   return std::any_of(extensions.begin(), extensions.end(),
                      [&](const char* one) { return equals_ignoring_case(extension, one); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading PLY, STL, OBJ, OFF, glTF and 3MF into a validated triangle soup. All of a file, or an error.
+// Reading PLY, STL, OBJ, OFF, glTF, 3MF and polydata into a validated triangle soup. All of a file, or an error.
 #pragma once
 
 #include "io/not_kept.h"
@@ -17,7 +17,7 @@ namespace loopmend {
 
 /// What was in the file and what was done to it, in numbers.
 struct ImportReport {
-  std::string format;                     ///< "PLY", "STL", "OBJ", "OFF", "glTF" or "3MF"
+  std::string format;                     ///< "PLY", "STL", "OBJ", "OFF", "glTF", "3MF" or "VTK"
   std::size_t vertices = 0;               ///< after welding (STL)
   std::size_t faces = 0;                  ///< polygons as in the file
   std::size_t triangles = 0;              ///< after triangulation
@@ -48,7 +48,7 @@ struct ImportedMesh {
 /// vertices whose fans touch there and nowhere else (mesh/join_touching_fans.h): points stay, faces name the first.
 enum class CoincidentVertices { keep, weld };
 
-/// Whether files of this name are read: .ply .stl .obj .off .glb .gltf .3mf, any case, with or without .gz.
+/// Whether files of this name are read: .ply .stl .obj .off .glb .gltf .3mf .vtp .vtk, any case, with or without .gz.
 bool is_mesh_name(const std::filesystem::path& path);
 
 /// Reads a mesh. The format follows from the content, else from the extension.

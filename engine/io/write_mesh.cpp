@@ -6,6 +6,7 @@
 #include "io/file_content.h"
 #include "io/format_writers.h"
 #include "io/gzip.h"
+#include "io/polydata.h"
 #include "io/single_precision.h"
 #include "io/text_cursor.h"
 
@@ -56,13 +57,14 @@ Format format_of(const std::filesystem::path& path) {
   if (extension == ".glb") return Format::glb;
   if (extension == ".gltf") return Format::gltf;
   if (extension == ".3mf") return Format::three_mf;
-  throw WriteError(
-      path, extension.empty() ? say("the name has no extension") : say("unknown format \"%1\"", extension),
-      say("Choose a name that ends in .ply, .stl, .obj, .off, .glb, .gltf or .3mf, compressed .ply.gz and so on."));
+  if (extension == ".vtp" || extension == ".vtk") return Format::polydata;
+  throw WriteError(path, extension.empty() ? say("the name has no extension") : say("unknown format \"%1\"", extension),
+                   say("Choose a name that ends in .ply, .stl, .obj, .off, .glb, .gltf, .3mf, .vtp or .vtk, compressed "
+                       ".ply.gz and so on."));
 }
 
 void check_mesh_writable(const std::filesystem::path& path) {
-  format_of(path);
+  if (format_of(path) == Format::polydata) require_polydata_program(path);
   check_writable(path);
 }
 
@@ -79,6 +81,7 @@ void write_soup(std::ostream& stream, GzipWriter* gzip, const std::filesystem::p
     case Format::glb: write_gltf(out, path, soup, GltfContainer::binary); break;
     case Format::gltf: write_gltf(out, path, soup, GltfContainer::text); break;
     case Format::three_mf: write_3mf(out, soup); break;
+    case Format::polydata: write_polydata(out, path, soup, encoding); break;
   }
   out.finish();
 }
@@ -111,7 +114,8 @@ bool holds_floats(const std::filesystem::path& path, const TriangleSoup& soup, E
   const Format format = format_of(path);
   if (format == Format::stl) return encoding == Encoding::binary;
   if (format == Format::glb || format == Format::gltf) return true;
-  return format == Format::ply && attributes_of(soup).coordinates == ScalarType::float32;
+  return (format == Format::ply || format == Format::polydata) &&
+         attributes_of(soup).coordinates == ScalarType::float32;
 }
 
 double largest_rounding(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writing PLY, STL, OBJ, OFF, glTF and 3MF, each atomically: the whole file under its name, or nothing new.
+// Writing PLY, STL, OBJ, OFF, glTF, 3MF and polydata, each atomically: the whole file under its name, or nothing new.
 #pragma once
 
 #include "io/atomic_file.h"
@@ -21,7 +21,7 @@ std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const
 /// All that the soup has beside points, faces and vertex colours: what joining it with another one loses.
 std::vector<NotKept> carried_attributes(const TriangleSoup& soup);
 
-/// The format follows the extension (.ply .stl .obj .off, any case), compressed with gzip where .gz comes after it. PLY holds doubles, or floats where the scan was read from
+/// The format follows the extension (.ply .stl .obj .off .glb .gltf .3mf .vtp .vtk, any case), compressed with gzip where .gz comes after it. PLY holds doubles, or floats where the scan was read from
 /// a PLY file of floats; binary is the default; OBJ and OFF are always text with 17 digits; binary STL holds floats.
 /// With the points and faces go the soup's attributes, as far as the format holds them: those of the file for what was read,
 /// those of `continued` for what is new. Polygons of which no triangle was changed are polygons again (not in STL).

@@ -82,7 +82,7 @@ struct OtherElement {
 
 /// Rows of points and faces are numbered as in the file; TriangleSoup says which of them its points and triangles have.
 struct ScanAttributes {
-  std::string format;                            ///< of the file: "PLY", "STL", "OBJ", "OFF", "glTF" or "3MF"
+  std::string format;                            ///< of the file: "PLY", "STL", "OBJ", "OFF", "glTF", "3MF" or "VTK"
   std::filesystem::path file;                    ///< absolute; material files are looked for in its folder
   ScalarType coordinates = ScalarType::float64;  ///< float32 where the file says so
   std::vector<AttributeColumn> points, faces;

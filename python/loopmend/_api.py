@@ -294,7 +294,7 @@ def curvatures(mesh: Any, faces: Optional[ArrayLike] = None) -> Curvatures:
 
 
 def read(path: Path, *, weld: bool = False, all_digits: bool = False) -> Mesh:
-    """Reads a mesh: PLY, STL, OBJ, OFF, glTF or 3MF, also compressed with gzip. All of a file, or an error.
+    """Reads a mesh: PLY, STL, OBJ, OFF, glTF, 3MF or VTK polydata, also compressed with gzip. All of a file, or an error.
 
     Parameters:
         path: of the file.
