@@ -162,23 +162,25 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
                  counted(counts.overlapping_bodies, "body overlaps", "bodies overlap").c_str());
   if (counts.united.open_pieces > 0)
     std::fprintf(out, "%s left as they are: fill their holes, then use --union on what was written.\n",
-                 counted(counts.united.open_pieces, "open piece of surface crosses others; such pieces are",
-                         "open pieces of surface cross others and are")
+                 counted(counts.united.open_pieces,
+                         "open piece of surface crosses others, holds a body or lies in one; such pieces are",
+                         "open pieces of surface cross others, hold a body or lie in one and are")
                      .c_str());
   if (counts.united.crossing > 0)
     std::fprintf(out, "%s left as they are: use --cut-intersections, then --union on what was written.\n",
-                 counted(counts.united.crossing, "closed body crosses itself and others; such bodies are",
-                         "closed bodies cross themselves and others and are")
+                 counted(counts.united.crossing,
+                         "closed body crosses itself, and crosses others, holds one or lies in one; such bodies are",
+                         "closed bodies cross themselves, and cross others, hold one or lie in one; they are")
                      .c_str());
   if (counts.united.touching > 0)
     std::fprintf(out, "%s at single points or edges alone and stay apart: around both there is no manifold.\n",
                  counted(counts.united.touching, "pair of bodies touches", "pairs of bodies touch").c_str());
   if (counts.united.refused > 0)
-    std::fprintf(
-        out,
-        "%s left as they are: they touch themselves, have faces without area, or no manifold is around both. "
-        "Move or part them, then use --union again.\n",
-        counted(counts.united.refused, "pair of bodies overlaps; both are", "pairs of bodies overlap; all are").c_str());
+    std::fprintf(out,
+                 "%s left as they are: they touch themselves, have faces without area, or no manifold is around both. "
+                 "Move or part them, then use --union again.\n",
+                 counted(counts.united.refused, "pair of bodies overlaps; both are", "pairs of bodies overlap; all are")
+                     .c_str());
   if (counts.united.crossing_parts > 0)
     std::fprintf(
         out, "%s after rounding: --cut-intersections removes them.\n",
@@ -429,7 +431,7 @@ int run_fill(const FillCommand& command) {
   Outcome outcome = outcome_of(results, scan.choices);
   if (scan.done.repaired) {
     const UnionCounts& united = scan.done.repaired->united;
-    outcome.apart = united.open_pieces + united.crossing + united.refused + united.crossing_parts;
+    outcome.apart = united.left() + united.crossing_parts;
   }
   WriteScanOptions options = command.write;
   if (command.deviations == FillCommand::Deviations::written) options.expected_deviation = expected_deviations(results);

@@ -158,7 +158,7 @@ void RepairDialog::count() {
           all.degenerate_faces += own.degenerate_faces;
           all.duplicate_faces += own.duplicate_faces;
           all.intersecting_faces += own.intersecting_faces;
-          all.overlapping_bodies += own.overlapping_bodies;
+          all.overlapping_bodies += own.united.bodies + own.united.left();
           all.separated_edges += own.separated_edges;
           all.separated_vertices += own.separated_vertices;
           all.turned_faces += own.turned_faces;

@@ -92,23 +92,25 @@ std::vector<int> loops_in_order(const Document& document) {
   return loops;
 }
 
+QString size_of_patches(const FillReport& report) {
+  double area = 0, added = 0;
+  std::size_t triangles = 0, new_triangles = 0;
+  for (const auto& model : report.models) {
+    area += area_of(model->soup);
+    triangles += model->soup.triangles.size();
+  }
+  for (const PatchStatePtr& state : report.patches) {
+    added += patch_area(state->patch) * state->patch.scale * state->patch.scale;
+    new_triangles += static_cast<std::size_t>(state->patch.patch_triangles);
+  }
+  return tr("The scan has %1 triangles. The patches add %2 triangles; they are %3 % of the whole area.")
+      .arg(labels::count(triangles), labels::count(new_triangles),
+           labels::number(area + added > 0 ? 100 * added / (area + added) : 0));
+}
+
 /// @param unnamed  open loops beside those that the report names
 QStringList facts_of(const Document& document, const FillReport& report, std::size_t unnamed) {
   QStringList facts;
-  double area = 0, added = 0;
-  std::size_t triangles = 0, new_triangles = 0;
-  for (int scan : document.scans()) {
-    const TriangleSoup& soup = document.scan(scan)->model->soup;
-    area += area_of(soup);
-    triangles += soup.triangles.size();
-  }
-  for (const OpenPatch& patch : document.patches()) {
-    added += patch_area(patch.state->patch) * patch.state->patch.scale * patch.state->patch.scale;
-    new_triangles += static_cast<std::size_t>(patch.state->patch.patch_triangles);
-  }
-  facts << tr("The scan has %1 triangles. The patches add %2 triangles; they are %3 % of the whole area.")
-               .arg(labels::count(triangles), labels::count(new_triangles),
-                    labels::number(area + added > 0 ? 100 * added / (area + added) : 0));
   std::size_t good = 0, look = 0, bad = 0;
   for (const FillReport::Hole& hole : report.holes) {
     const Verdict* verdict = document.verdict(hole.loop);
@@ -159,7 +161,10 @@ QString picture_of(const FillReport::Hole& hole, std::size_t place, PictureLinks
 FillReport fill_report(const Document& document) {
   FillReport report;
   QStringList names;
-  for (int scan : document.scans()) names << document.scan(scan)->name;
+  for (int scan : document.scans()) {
+    names << document.scan(scan)->name;
+    report.models.push_back(document.scan(scan)->model);
+  }
   report.title = tr("Holes of %1").arg(names.join(QStringLiteral(", ")));
   for (int loop : loops_in_order(document)) report.holes.push_back(hole_of(document, loop));
   std::size_t unnamed = 0;
@@ -179,7 +184,10 @@ FillReport fill_report(const Document& document) {
   report.facts = facts_of(document, report, unnamed);
   if (unnamed > 0) report.open << tr("%1 more are open.").arg(labels::count(unnamed));
   std::set<int> ids;
-  for (const OpenPatch& patch : document.patches()) ids.insert(patch.id);
+  for (const OpenPatch& patch : document.patches()) {
+    ids.insert(patch.id);
+    report.patches.push_back(patch.state);
+  }
   const CommandLine command = command_line(document, ids);
   report.command = command.text;
   report.remarks = command.remarks;
@@ -195,6 +203,7 @@ QString html_of(const FillReport& report, PictureLinks links) {
                      "img { max-width: 100%; height: auto; } td { vertical-align: top; padding: 8px; } "
                      "pre { white-space: pre-wrap; }</style></head>\n<body>\n<h1>%1</h1>\n")
                      .arg(title);
+  html += paragraph(size_of_patches(report));
   for (const QString& fact : report.facts) html += paragraph(fact);
   html += QStringLiteral("<table>\n");
   for (std::size_t k = 0; k < report.holes.size(); ++k) {

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <vector>
 
 namespace loopmend {
@@ -23,7 +24,10 @@ struct FillReport {
     QImage picture;     ///< null: there is none
   };
   QString title;
-  QStringList facts;  ///< sentences on the whole scene
+  /// How much the patches add is measured as the page is made, not in the window's thread.
+  std::vector<std::shared_ptr<const SurfaceModel>> models;
+  std::vector<PatchStatePtr> patches;
+  QStringList facts;  ///< more sentences on the whole scene
   std::vector<Hole> holes;
   QStringList open;     ///< sentences, one for each loop without a patch
   QString command;      ///< that repeats the patches; empty: there is none
@@ -37,7 +41,7 @@ enum class PictureLinks {
   within,  ///< the page needs no other file
   named    ///< "picture:N" for the hole at place N, where other programs than a browser look for it
 };
-/// Understood by browsers and by QTextDocument.
+/// Understood by browsers and by QTextDocument. Takes a while for large scans.
 QString html_of(const FillReport& report, PictureLinks links);
 
 }  // namespace loopmend

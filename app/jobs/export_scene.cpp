@@ -98,6 +98,10 @@ ExportTask export_task(const Document& document, const std::filesystem::path& pa
 }
 
 ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
+  const bool is_labelled =
+      task.choice.new_faces == NewFaces::labelled || task.choice.deviations == ExportChoice::Deviations::written;
+  if (is_labelled && task.parts.size() > 1)
+    throw InvalidArgument(say("Labels need a file of one scan: export the scans one by one."));
   ExportResult result;
   std::vector<TriangleSoup> soups;
   WriteScanOptions options;

@@ -83,8 +83,9 @@ QString bodies_left(const UnionCounts& united) {
   QStringList left;
   const auto n = [](std::size_t count) { return static_cast<int>(count); };
   if (united.open_pieces > 0)
-    left << FillController::tr("%Ln open piece(s) crossing others were left: fill the holes, then unite.", nullptr,
-                               n(united.open_pieces));
+    left << FillController::tr(
+        "%Ln open piece(s) crossing, holding or within others were left: fill the holes, then unite.", nullptr,
+        n(united.open_pieces));
   if (united.crossing > 0)
     left << FillController::tr(
         "%Ln bodies crossing themselves were left: cut out faces that intersect others, fill the holes, then unite.",

@@ -11,6 +11,7 @@
 #include "pipeline/flat_cut.h"
 #include "pipeline/proportion.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -79,6 +80,9 @@ class Judge {
   void judge_height(std::size_t loop, Verdict& verdict) const;
   bool expects_crease(std::size_t loop, std::size_t edge) const {
     return loop < expected_creases_.size() && edge < expected_creases_[loop].size() && expected_creases_[loop][edge];
+  }
+  bool expects_creases(std::size_t loop) const {
+    return loop < expected_creases_.size() && std::ranges::count(expected_creases_[loop], 1) > 0;
   }
   bool ends_at(std::size_t loop) const { return loop < ends_.size() && ends_[loop] != LoopEnd::runs_on; }
 

@@ -3,7 +3,6 @@
 
 #define CGAL_NO_DEPRECATION_WARNINGS 1
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -15,7 +14,6 @@
 #include <map>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -89,32 +87,13 @@ class Origins : public PMP::Corefinement::Default_visitor<Mesh> {
   int divided_ = -1;
 };
 
-std::size_t count_components(Body& body) {
-  auto number = body.mesh.add_property_map<Face, std::size_t>("f:component", 0).first;
-  const std::size_t count = PMP::connected_components(body.mesh, number);
-  body.mesh.remove_property_map(number);
-  return count;
-}
-
-std::set<int> soup_faces(const Body& body) {
-  std::set<int> faces;
-  for (const Face f : body.mesh.faces()) faces.insert(body.face[f]);
-  return faces;
-}
-
 class Uniting {
  public:
-  Uniting(const SurfaceModel& model, const std::vector<std::vector<int>>& bodies)
-      : model_(model),
-        faces_(bodies),
-        root_(bodies.size()),
-        bodies_(bodies.size()),
-        beside_(bodies.size()) {
-    std::iota(root_.begin(), root_.end(), 0);
+  Uniting(const SurfaceModel& model, const std::map<int, std::vector<int>>& faces) : model_(model), faces_(faces) {
+    for (const auto& [body, own] : faces) root_[body] = body;
   }
 
-  ExactUnions run(const std::vector<std::pair<int, int>>& pairs, const CancelToken& cancel) {
-    ExactUnions result;
+  ExactUnions run(const std::set<BodyPair>& pairs, const CancelToken& cancel) {
     for (const auto& [a, b] : pairs) {
       beside_[a].insert(b);
       beside_[b].insert(a);
@@ -127,18 +106,16 @@ class Uniting {
       if (!beside_[a].contains(b) || size != size_of(a) + size_of(b)) continue;  // they are others by now
       switch (unite(a, b, cancel)) {
         case Outcome::united: replace_both(a, b); break;
-        case Outcome::only_touching: failed_[{a, b}] = Outcome::only_touching; break;
-        case Outcome::refused: failed_[{a, b}] = Outcome::refused; break;
+        case Outcome::only_touching: result_.only_touching.insert({a, b}); break;
+        case Outcome::refused: result_.refused.insert({a, b}); break;
       }
     }
     if (cancel.cancelled()) return {};
-    for (const auto& [pair, outcome] : failed_)
-      (outcome == Outcome::refused ? result.refused : result.only_touching).push_back(pair);
     std::map<int, std::vector<int>> members;
-    for (std::size_t body = 0; body < root_.size(); ++body) members[root_[body]].push_back(static_cast<int>(body));
+    for (const auto& [body, root] : root_) members[root].push_back(body);
     for (const auto& [root, all] : members)
-      if (all.size() > 1) result.made.push_back(result_of(*bodies_[root], all));
-    return result;
+      if (all.size() > 1) result_.made.push_back(result_of(*bodies_.at(root), all));
+    return std::move(result_);
   }
 
  private:
@@ -146,12 +123,12 @@ class Uniting {
 
   /// `a` is the union of both: its neighbors are tried again.
   void replace_both(int a, int b) {
-    for (int& root : root_)
+    for (auto& [body, root] : root_)
       if (root == b) root = a;
-    std::erase_if(failed_, [a, b](const auto& entry) {
-      const std::pair<int, int>& pair = entry.first;
-      return pair.first == a || pair.second == a || pair.first == b || pair.second == b;
-    });
+    for (std::set<BodyPair>* failed : {&result_.only_touching, &result_.refused})
+      std::erase_if(*failed, [a, b](const BodyPair& pair) {
+        return pair.first == a || pair.second == a || pair.first == b || pair.second == b;
+      });
     for (int other : beside_[b]) {
       beside_[other].erase(b);
       if (other == a) continue;
@@ -163,16 +140,19 @@ class Uniting {
   }
 
   std::size_t size_of(int body) const {
-    return bodies_[body] ? bodies_[body]->mesh.number_of_faces() : faces_[body].size();
+    const auto made = bodies_.find(body);
+    return made != bodies_.end() ? made->second->mesh.number_of_faces() : faces_.at(body).size();
   }
 
   std::unique_ptr<Body> make(int body) const {
     auto made = std::make_unique<Body>();
     std::unordered_map<int, Vertex> vertex_of;
-    for (int f : faces_[body]) {
+    for (int f : faces_.at(body)) {
       std::array<Vertex, 3> corners;
       std::size_t k = 0;
-      for (const auto v : model_.mesh.fv_range(model_.mesh.face_handle(static_cast<unsigned>(f)))) {
+      const auto of_view = std::lower_bound(model_.soup_face.begin(), model_.soup_face.end(), f);
+      const auto face = static_cast<unsigned>(of_view - model_.soup_face.begin());
+      for (const auto v : model_.mesh.fv_range(model_.mesh.face_handle(face))) {
         const auto [entry, is_new] = vertex_of.try_emplace(v.idx());
         if (is_new) {
           const int point = model_.soup_vertex[v.idx()];
@@ -182,49 +162,46 @@ class Uniting {
         }
         corners[k++] = entry->second;
       }
-      made->face[made->mesh.add_face(corners[0], corners[1], corners[2])] = model_.soup_face[f];
+      made->face[made->mesh.add_face(corners[0], corners[1], corners[2])] = f;
     }
     return made;
   }
 
-  /// Whether the middle of some face of `a` lies within `b`. Both corefined, so that no face lies within and without.
-  static bool reaches_into(const Mesh& a, const Mesh& b) {
+  /// Whether some face of `a` lies within `b` or on it. Both are corefined, so that a middle stands for its face.
+  static bool reaches(const Mesh& a, const Mesh& b) {
     const CGAL::Side_of_triangle_mesh<Mesh, Kernel> side(b);
     const auto faces = a.faces();
     return std::any_of(faces.begin(), faces.end(), [&](Face f) {
       std::array<Kernel::Point_3, 3> corners;
       std::size_t k = 0;
       for (const Vertex v : CGAL::vertices_around_face(a.halfedge(f), a)) corners.at(k++) = a.point(v);
-      return side(CGAL::centroid(corners[0], corners[1], corners[2])) == CGAL::ON_BOUNDED_SIDE;
+      return side(CGAL::centroid(corners[0], corners[1], corners[2])) != CGAL::ON_UNBOUNDED_SIDE;
     });
   }
 
   enum class Outcome { united, only_touching, refused };
   /// The union takes the place of `a`; nothing changes where there is none, or when cancelled.
   Outcome unite(int a, int b, const CancelToken& cancel) {
-    if (!bodies_[a]) bodies_[a] = make(a);
-    if (!bodies_[b]) bodies_[b] = make(b);
+    for (int body : {a, b})
+      if (!bodies_.contains(body)) bodies_[body] = make(body);
     const auto operands = std::make_unique<Operands>(*bodies_[a], *bodies_[b]);
-    const std::size_t components = count_components(operands->a) + count_components(operands->b);
-    std::set<int> before = soup_faces(operands->a);
-    before.merge(soup_faces(operands->b));
+    const Mesh &one = operands->a.mesh, &other = operands->b.mesh;
     Body& united = operands->united;
     try {
       if (!PMP::corefine_and_compute_union(
               operands->a.mesh, operands->b.mesh, united.mesh,
-              CGAL::parameters::visitor(Origins(*operands, cancel)).throw_on_self_intersection(true))) {
-        const Mesh &one = operands->a.mesh, &other = operands->b.mesh;
-        return reaches_into(one, other) || reaches_into(other, one) ? Outcome::refused : Outcome::only_touching;
-      }
+              CGAL::parameters::visitor(Origins(*operands, cancel)).throw_on_self_intersection(true)))
+        return reaches(one, other) || reaches(other, one) ? Outcome::refused : Outcome::only_touching;
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception&) {  // CGAL's, or of a cancel: of bodies that touch themselves, of faces without area
       return Outcome::refused;
     }
-    if (count_components(united) >= components && soup_faces(united) == before) return Outcome::only_touching;
     united.mesh.collect_garbage();
+    // A union is made of faces of both: where all are there, none lay within the other or on it.
+    if (united.mesh.number_of_faces() == one.number_of_faces() + other.number_of_faces()) return Outcome::only_touching;
     bodies_[a] = std::make_unique<Body>(united);
-    bodies_[b].reset();
+    bodies_.erase(b);
     return Outcome::united;
   }
 
@@ -267,19 +244,19 @@ class Uniting {
   }
 
   const SurfaceModel& model_;
-  const std::vector<std::vector<int>>& faces_;
-  std::vector<int> root_;  ///< of each body the least that it is one with
-  std::vector<std::unique_ptr<Body>> bodies_;
-  std::vector<std::set<int>> beside_;                   ///< of each root those that it may be united with
-  std::map<std::pair<int, int>, Outcome> failed_;       ///< pairs of roots
+  const std::map<int, std::vector<int>>& faces_;
+  std::map<int, int> root_;  ///< of each body the least that it is one with
+  std::map<int, std::unique_ptr<Body>> bodies_;
+  std::map<int, std::set<int>> beside_;  ///< of each root those that it may be united with
+  ExactUnions result_;
   using Candidate = std::tuple<std::size_t, int, int>;  ///< faces of both, and the two roots
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> next_;
 };
 
 }  // namespace
 
-ExactUnions unite_exactly(const SurfaceModel& model, const std::vector<std::vector<int>>& bodies,
-                          const std::vector<std::pair<int, int>>& pairs, const CancelToken& cancel) {
+ExactUnions unite_exactly(const SurfaceModel& model, const std::map<int, std::vector<int>>& bodies,
+                          const std::set<BodyPair>& pairs, const CancelToken& cancel) {
   return Uniting(model, bodies).run(pairs, cancel);
 }
 

@@ -6,6 +6,8 @@
 #include "mesh/surface_model.h"
 
 #include <array>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -23,19 +25,20 @@ struct ExactUnion {
   std::vector<FaceOfUnion> faces;
 };
 
+using BodyPair = std::pair<int, int>;  ///< ascending
+
 struct ExactUnions {
-  std::vector<ExactUnion> made;                      ///< of two bodies or more, by the least of them
-  std::vector<std::pair<int, int>> only_touching{};  ///< pairs that touch at points or edges alone
-  std::vector<std::pair<int, int>>
-      refused{};  ///< pairs that overlap, but have no union that is a manifold, or that CGAL refuses: faces without area, bodies
-                  ///< that touch themselves
+  std::vector<ExactUnion> made;      ///< of two bodies or more, by the least of them
+  std::set<BodyPair> only_touching;  ///< at points or edges: the exact union has all faces of both
+  /// That overlap, but have no union that is a manifold, or that CGAL refuses: faces without area, bodies that touch themselves.
+  std::set<BodyPair> refused;
 };
 
-/// Unites bodies in pairs, small ones first.
-/// @param bodies  view faces of each. It is closed, bounds a volume and does not cross itself.
-/// @param pairs  of bodies that overlap or touch, or of which one lies within the other
+/// Unites bodies in pairs, small ones first. What a union is found to touch or refuse is named by the least of its bodies.
+/// @param bodies  soup triangles of each, ascending. It is closed, bounds a volume and does not cross itself.
+/// @param pairs  of bodies that overlap or touch
 /// @returns nothing of use when cancelled
-ExactUnions unite_exactly(const SurfaceModel& model, const std::vector<std::vector<int>>& bodies,
-                          const std::vector<std::pair<int, int>>& pairs, const CancelToken& cancel = {});
+ExactUnions unite_exactly(const SurfaceModel& model, const std::map<int, std::vector<int>>& bodies,
+                          const std::set<BodyPair>& pairs, const CancelToken& cancel = {});
 
 }  // namespace loopmend

@@ -365,9 +365,8 @@ RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel) 
   counts.joined_points = alone(Defect::coincident_points).joined_points;
   counts.degenerate_faces = alone(Defect::degenerate_faces).degenerate_faces;
   counts.duplicate_faces = alone(Defect::duplicate_faces).duplicate_faces;
-  const RepairCounts intersections = alone(Defect::intersections);
-  counts.intersecting_faces = intersections.intersecting_faces;
-  counts.overlapping_bodies = intersections.overlapping_bodies;
+  counts.intersecting_faces = alone(Defect::intersections).intersecting_faces;
+  counts.united = alone(Defect::overlaps).united;
   return counts;
 }
 

@@ -68,7 +68,8 @@ struct RepairedSurface {
 RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects = harmless_repairs,
                                const CancelToken& cancel = {});
 
-/// What repair_surface() would do about each defect if it were the only one to be repaired. Cancelled, nothing of use.
+/// What repair_surface() would do about each defect if it were the only one to be repaired; it unites bodies for that.
+/// Cancelled, nothing of use.
 RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel = {});
 
 }  // namespace loopmend

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/unite_bodies.h"
 
-#include "mesh/pieces.h"
+#include "mesh/boundary_loops.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_model.h"
 #include "repair/divided_faces.h"
 #include "repair/exact_union.h"
 #include "repair/inside_shell.h"
-
-#include <Eigen/Geometry>
+#include "repair/shells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,212 +23,193 @@ namespace loopmend {
 
 namespace {
 
-/// A connected part of the surface.
-struct BodyShell {
-  std::vector<int> faces;  ///< of the view
-  Eigen::AlignedBox3d box;
-  double volume = 0;  ///< below 0: of a cavity
-  bool is_open = false, crosses_itself = false, crosses_others = false;
-  std::vector<int> around;  ///< shells that it lies in
-  int body = -1;            ///< the outward shell that it is, or that it is a cavity of; −1: neither
-
-  bool is_sound() const { return !is_open && !crosses_itself; }
-  bool is_body() const { return is_sound() && volume > 0; }
-};
-
 using ShellPair = std::pair<int, int>;
 
 class Bodies {
  public:
-  Bodies(const SurfaceModel& model, const CancelToken& cancel) : model_(model) {
-    find_shells();
+  Bodies(const SurfaceModel& model, const CancelToken& cancel)
+      : model_(model),
+        found_(find_shells(model, find_boundary_loops(model))),
+        crosses_itself_(shells_.size(), 0),
+        body_(shells_.size(), -1),
+        cover_(shells_.size(), -1) {
+    if (!some_boxes_meet(shells_)) return;
+    list_faces(model_, found_);
     find_crossings(cancel);
-    find_overlaps_at_common_places();
+    find_contacts_at_common_places();
     if (cancel.cancelled()) return;
-    find_nesting();
+    find_nesting(model_, shells_);
     find_bodies();
+    find_covers();
   }
 
-  /// Bodies to be united, by the numbers of their shells, each once.
+  /// Bodies that overlap or touch, by the numbers of their shells, each pair once.
   std::set<ShellPair> pairs() const {
     std::set<ShellPair> result;
-    const auto add = [&](int a, int b) {
-      if (a != b && is_sound_body(a) && is_sound_body(b)) result.insert(std::minmax(a, b));
-    };
-    for (const auto& [a, b] : crossings_) add(shells_[a].body, shells_[b].body);
-    for (std::size_t s = 0; s < shells_.size(); ++s) {
-      const BodyShell& shell = shells_[s];
-      int winding = 0;
-      for (int outer : shell.around) winding += shells_[outer].volume > 0 ? 1 : -1;
-      if (shell.is_body() && winding > 0) add(innermost(shell, Among::bodies), static_cast<int>(s));
-    }
+    for (std::size_t s = 0; s < shells_.size(); ++s)
+      for (int other : shells_[s].crosses) add_pair(body_[s], body_[other], result);
     return result;
   }
 
-  /// View faces of a body with its cavities.
+  /// Those that touch at common vertices and edges alone.
+  std::set<ShellPair> touching() const {
+    std::set<ShellPair> result;
+    for (const auto& [a, b] : contacts_) add_pair(body_[a], body_[b], result);
+    return result;
+  }
+
+  /// Bodies that lie within another one, with the largest of those around them.
+  std::vector<ShellPair> covered() const {
+    std::vector<ShellPair> result;
+    for (std::size_t s = 0; s < cover_.size(); ++s)
+      if (cover_[s] >= 0) result.emplace_back(static_cast<int>(s), cover_[s]);
+    return result;
+  }
+
+  /// Soup triangles of a body with its cavities.
   std::vector<int> faces_of(int body) const {
     std::vector<int> faces;
-    for (const BodyShell& shell : shells_)
-      if (shell.body == body) faces.insert(faces.end(), shell.faces.begin(), shell.faces.end());
+    for (std::size_t s = 0; s < shells_.size(); ++s)
+      if (body_[s] == body) faces.insert(faces.end(), shells_[s].faces.begin(), shells_[s].faces.end());
     std::sort(faces.begin(), faces.end());
     return faces;
   }
 
   void count_left(UnionCounts& counts) const {
-    for (const BodyShell& shell : shells_) {
-      if (!shell.crosses_others) continue;
-      if (shell.is_open)
-        ++counts.open_pieces;
-      else if (!is_sound_body(shell.body))
-        ++counts.crossing;
+    std::set<int> left;
+    for (int s = 0; s < static_cast<int>(shells_.size()); ++s) {
+      const Shell& shell = shells_[s];
+      int winding = 0;
+      for (int outer : shell.around) winding += shells_[outer].volume > 0 ? 1 : -1;
+      const bool is_within = winding > 0 && shell.is_certain() && shell.volume > 0;
+      if (!is_sound_body(body_[s])) {
+        if (is_within || !shell.crosses.empty()) left.insert(s);
+      } else if (is_within && cover_[s] < 0) {
+        for (int outer : shell.around)
+          if (!is_sound_body(body_[outer]) && shells_[outer].is_nearly_closed() && shells_[outer].volume > 0)
+            left.insert(outer);
+      }
     }
+    for (int s : left) ++(shells_[s].is_open ? counts.open_pieces : counts.crossing);
   }
 
  private:
-  void find_shells() {
-    const std::vector<int> lowest = pieces_of(model_.mesh);
-    std::map<int, int> number;
-    shell_of_.assign(model_.soup.triangles.size(), -1);
-    for (std::size_t f = 0; f < lowest.size(); ++f) {
-      const auto [entry, is_new] = number.try_emplace(lowest[f], static_cast<int>(shells_.size()));
-      if (is_new) shells_.emplace_back();
-      BodyShell& shell = shells_[entry->second];
-      shell.faces.push_back(static_cast<int>(f));
-      shell_of_[model_.soup_face[f]] = entry->second;
-      for (const Vec3& p : corners(static_cast<int>(f))) shell.box.extend(p);
-    }
-    for (const auto h : model_.mesh.halfedges())
-      if (model_.mesh.is_boundary(h)) {
-        const int face = model_.mesh.face_handle(model_.mesh.opposite_halfedge_handle(h)).idx();
-        shells_[shell_of_[model_.soup_face[face]]].is_open = true;
-      }
-    for (BodyShell& shell : shells_)
-      for (int f : shell.faces) {
-        const auto [a, b, c] = corners(f);
-        const Vec3 origin = shell.box.center();  // so that far from the origin no digits are lost
-        shell.volume += (a - origin).dot((b - origin).cross(c - origin)) / 6;
-      }
-  }
-
-  std::array<Vec3, 3> corners(int view_face) const {
-    const Triangle& t = model_.soup.triangles[model_.soup_face[view_face]];
-    return {model_.soup.points[t[0]], model_.soup.points[t[1]], model_.soup.points[t[2]]};
+  void add_pair(int a, int b, std::set<ShellPair>& pairs) const {
+    if (a != b && is_sound_body(a) && is_sound_body(b) && cover_[a] < 0 && cover_[b] < 0)
+      pairs.insert(std::minmax(a, b));
   }
 
   void find_crossings(const CancelToken& cancel) {
-    const auto count = static_cast<int>(model_.soup.triangles.size());
-    for (const auto& [f, g] : self_intersections(model_.soup.points, model_.soup.triangles, count, cancel)) {
-      const int a = shell_of_[f], b = shell_of_[g];
+    const Triangles& triangles = model_.soup.triangles;
+    std::vector<int> shell_of(triangles.size(), -1);
+    for (std::size_t s = 0; s < shells_.size(); ++s)
+      for (int f : shells_[s].faces) shell_of[f] = static_cast<int>(s);
+    for (const auto& [f, g] :
+         self_intersections(model_.soup.points, triangles, static_cast<int>(triangles.size()), cancel)) {
+      const int a = shell_of[f], b = shell_of[g];
       if (a < 0 || b < 0) continue;
-      if (a == b) {
-        shells_[a].crosses_itself = true;
-        continue;
-      }
-      shells_[a].crosses_others = shells_[b].crosses_others = true;
-      crossings_.insert(std::minmax(a, b));
+      if (a == b)
+        crosses_itself_[a] = 1;
+      else
+        set_crossing(a, b);
     }
   }
 
-  /// Whether the inner shell, which does not cross the other, lies within it.
-  bool lies_in(const BodyShell& inner, const InsideShell& outer) const {
-    for (int f : inner.faces)
-      for (const Vec3& p : corners(f)) {
-        const InsideShell::Place place = outer.of(p);
-        if (place != InsideShell::Place::on_surface) return place == InsideShell::Place::inside;
-      }
-    return false;
+  void set_crossing(int a, int b) {
+    shells_[a].crosses.insert(b);
+    shells_[b].crosses.insert(a);
   }
 
-  /// Where meshes fit along the curve in which bodies cross, no two faces cross; the middle of some face there lies within.
-  void find_overlaps_at_common_places() {
+  /// Where meshes fit along the curve in which bodies cross, no two faces cross; the middles of some faces there lie within the
+  /// other one, of both.
+  void find_contacts_at_common_places() {
     struct Corner {
       std::array<double, 3> place;
       int shell, face;
     };
     std::vector<Corner> found;
-    if (shells_.size() < 2) return;
+    const auto& [points, triangles] = std::tie(model_.soup.points, model_.soup.triangles);
     for (std::size_t s = 0; s < shells_.size(); ++s)
       for (int f : shells_[s].faces)
-        for (const Vec3& p : corners(f))
-          if (shells_[s].is_sound()) found.push_back({{p.x(), p.y(), p.z()}, static_cast<int>(s), f});
+        for (int v : triangles[f])
+          if (is_sound(s)) found.push_back({{points[v].x(), points[v].y(), points[v].z()}, static_cast<int>(s), f});
     std::sort(found.begin(), found.end(), [](const Corner& a, const Corner& b) {
       return std::tie(a.place, a.shell, a.face) < std::tie(b.place, b.shell, b.face);
     });
-    std::map<ShellPair, std::set<int>>
-        faces_at;  // of the first shell of a pair, near the second, and the other way round
+    std::map<ShellPair, std::set<int>> faces_near;  // the first shell, of the second
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
       while (last < found.size() && found[last].place == found[first].place) ++last;
       if (found[first].shell == found[last - 1].shell) continue;
       for (std::size_t a = first; a < last; ++a)
         for (std::size_t b = first; b < last; ++b)
-          if (found[a].shell != found[b].shell && !crossings_.contains(std::minmax(found[a].shell, found[b].shell)))
-            faces_at[{found[a].shell, found[b].shell}].insert(found[a].face);
+          if (found[a].shell != found[b].shell && !shells_[found[a].shell].crosses.contains(found[b].shell))
+            faces_near[{found[a].shell, found[b].shell}].insert(found[b].face);
     }
-    for (const auto& [pair, own] : faces_at) {
-      const InsideShell other(corners_of(shells_[pair.second]));
-      const bool overlap = std::any_of(own.begin(), own.end(), [&](int f) {
-        const auto [a, b, c] = corners(f);
-        return other.of((a + b + c) / 3) == InsideShell::Place::inside;
-      });
-      // A shell that lies within another has its middles there, too: one of them has a face outside.
-      if (!overlap || shells_[pair.second].box.contains(shells_[pair.first].box)) continue;
-      shells_[pair.first].crosses_others = shells_[pair.second].crosses_others = true;
-      crossings_.insert(std::minmax(pair.first, pair.second));
+    std::optional<InsideShell> inside;
+    int last = -1;
+    std::set<ShellPair> reaching;  // the first shell has faces within it, of the second
+    for (const auto& [pair, near] : faces_near) {
+      if (std::exchange(last, pair.first) != pair.first) inside.emplace(corners_of(model_, shells_[pair.first]));
+      if (std::any_of(near.begin(), near.end(), [&](int f) {
+            const Triangle& t = triangles[f];
+            return inside->of((points[t[0]] + points[t[1]] + points[t[2]]) / 3) == InsideShell::Place::inside;
+          }))
+        reaching.insert(pair);
     }
-  }
-
-  /// Three after another.
-  Points corners_of(const BodyShell& shell) const {
-    Points all;
-    for (int f : shell.faces)
-      for (const Vec3& p : corners(f)) all.push_back(p);
-    return all;
-  }
-
-  void find_nesting() {
-    for (std::size_t outer = 0; outer < shells_.size(); ++outer) {
-      if (!shells_[outer].is_sound()) continue;
-      std::optional<InsideShell> inside;
-      for (std::size_t inner = 0; inner < shells_.size(); ++inner) {
-        if (inner == outer || !shells_[inner].is_sound() || !shells_[outer].box.contains(shells_[inner].box)) continue;
-        const ShellPair pair = std::minmax(static_cast<int>(inner), static_cast<int>(outer));
-        if (crossings_.contains(pair)) continue;
-        if (!inside) inside.emplace(corners_of(shells_[outer]));
-        if (lies_in(shells_[inner], *inside)) shells_[inner].around.push_back(static_cast<int>(outer));
-      }
+    for (const auto& [pair, near] : faces_near) {
+      const bool reaches = reaching.contains(pair), is_reached = reaching.contains({pair.second, pair.first});
+      if (reaches && is_reached) set_crossing(pair.first, pair.second);
+      if (!reaches && !is_reached) contacts_.insert(pair);
     }
-  }
-
-  enum class Among { all, bodies };
-  /// Of the shells around a shell the one that encloses the least; −1: none.
-  int innermost(const BodyShell& shell, Among among) const {
-    int best = -1;
-    for (int outer : shell.around) {
-      if (among == Among::bodies && !shells_[outer].is_body()) continue;
-      if (best < 0 || std::abs(shells_[outer].volume) < std::abs(shells_[best].volume)) best = outer;
-    }
-    return best;
   }
 
   void find_bodies() {
     for (std::size_t s = 0; s < shells_.size(); ++s) {
-      BodyShell& shell = shells_[s];
-      if (shell.is_body()) shell.body = static_cast<int>(s);
-      if (!shell.is_sound() || shell.is_body()) continue;
-      const int host = innermost(shell, Among::all);
-      if (host >= 0 && shells_[host].is_body()) shell.body = host;
+      if (!is_sound(s)) continue;
+      const std::vector<int>& around = shells_[s].around;
+      if (shells_[s].volume > 0) {
+        body_[s] = static_cast<int>(s);
+      } else if (!around.empty()) {
+        const int host = *std::min_element(around.begin(), around.end(), [&](int a, int b) {
+          return std::abs(shells_[a].volume) < std::abs(shells_[b].volume);
+        });
+        if (is_sound(host) && shells_[host].volume > 0) body_[s] = host;
+      }
     }
-    for (const auto& [a, b] : crossings_)  // two cavities of one body
-      if (shells_[a].body >= 0 && shells_[a].body == shells_[b].body) unsound_.insert(shells_[a].body);
+    for (std::size_t s = 0; s < shells_.size(); ++s)  // two cavities of one body
+      for (int other : shells_[s].crosses)
+        if (body_[s] >= 0 && body_[s] == body_[other]) unsound_.insert(body_[s]);
   }
 
+  /// A body lies within another one where that is around it, and none of the other's cavities is, or crosses it.
+  void find_covers() {
+    for (std::size_t s = 0; s < shells_.size(); ++s) {
+      if (body_[s] != static_cast<int>(s) || !is_sound_body(body_[s])) continue;
+      std::set<int> hollow;  // bodies that have such cavities
+      const auto add_cavity = [&](int k) {
+        if (body_[k] != k) hollow.insert(body_[k]);
+      };
+      std::for_each(shells_[s].around.begin(), shells_[s].around.end(), add_cavity);
+      std::for_each(shells_[s].crosses.begin(), shells_[s].crosses.end(), add_cavity);
+      int& cover = cover_[s];
+      for (int outer : shells_[s].around)
+        if (body_[outer] == outer && is_sound_body(outer) && !hollow.contains(outer) &&
+            (cover < 0 || shells_[outer].volume > shells_[cover].volume))
+          cover = outer;
+    }
+  }
+
+  bool is_sound(std::size_t s) const { return !shells_[s].is_open && !crosses_itself_[s] && shells_[s].is_certain(); }
   bool is_sound_body(int body) const { return body >= 0 && !unsound_.contains(body); }
 
   const SurfaceModel& model_;
-  std::vector<BodyShell> shells_;
-  std::vector<int> shell_of_;      ///< of each soup triangle; −1: no part of the surface
-  std::set<ShellPair> crossings_;  ///< shells that cross or touch each other
-  std::set<int> unsound_;          ///< bodies whose cavities cross
+  Shells found_;
+  std::vector<Shell>& shells_ = found_.all;
+  std::vector<char> crosses_itself_;
+  std::set<ShellPair> contacts_;  ///< shells that touch at common vertices and edges alone
+  std::vector<int> body_;   ///< of each shell the outward one that it is, or that it is a cavity of; −1: neither
+  std::set<int> unsound_;   ///< bodies whose cavities cross
+  std::vector<int> cover_;  ///< of each body the largest that it lies within; −1: none
 };
 
 /// Makes the soup of what stays and of the unions.
@@ -242,9 +222,12 @@ class UnitedSoup {
     made_.points = soup.points;
   }
 
-  /// @param soup_faces  of the bodies
-  void take(const std::vector<int>& soup_faces, const ExactUnion& united) {
+  /// Only parts of these that a union brings stay.
+  void take(const std::vector<int>& soup_faces) {
     for (int f : soup_faces) is_united_[f] = 1;
+  }
+
+  void add(const ExactUnion& united) {
     const int first = static_cast<int>(made_.points.size());
     made_.points.insert(made_.points.end(), united.points.begin(), united.points.end());
     divided_.beneath.resize(divided_.beneath.size() + united.points.size(), -1);
@@ -307,41 +290,48 @@ class UnitedSoup {
 
 UnitedSurface unite_bodies(const TriangleSoup& soup, const CancelToken& cancel) {
   UnitedSurface result{soup, {}};
+  UnionCounts& counts = result.counts;
   const SurfaceModel model = make_surface_model(soup);
   const Bodies bodies(model, cancel);
   if (cancel.cancelled()) return result;
-  bodies.count_left(result.counts);
-  std::map<int, int> number;  // of those that are to be united
-  std::vector<std::vector<int>> faces;
-  std::vector<ShellPair> pairs;
-  const auto number_of = [&](int body) {
-    const auto [entry, is_new] = number.try_emplace(body, static_cast<int>(faces.size()));
-    if (is_new) faces.push_back(bodies.faces_of(body));
-    return entry->second;
-  };
-  for (const auto& [a, b] : bodies.pairs()) {
-    const int first = number_of(a), second = number_of(b);
-    pairs.emplace_back(first, second);
-  }
+  bodies.count_left(counts);
+  const std::set<ShellPair> pairs = bodies.pairs();
+  std::map<int, std::vector<int>> faces;
+  for (const auto& [a, b] : pairs)
+    for (int body : {a, b})
+      if (!faces.contains(body)) faces[body] = bodies.faces_of(body);
   const ExactUnions unions = unite_exactly(model, faces, pairs, cancel);
   if (cancel.cancelled()) return {soup, {}};
-  result.counts.touching = unions.only_touching.size();
-  result.counts.refused = unions.refused.size();
-  result.counts.made = unions.made.size();
-  if (unions.made.empty()) return result;
   UnitedSoup united(model.soup);
+  std::map<int, int> one_with;  // of each body that is united with others one of these
   for (const ExactUnion& one : unions.made) {
-    result.counts.bodies += one.bodies.size();
-    std::vector<int> soup_faces;
-    for (int body : one.bodies)
-      for (int f : faces[body]) soup_faces.push_back(model.soup_face[f]);
-    united.take(soup_faces, one);
+    for (int body : one.bodies) {
+      one_with[body] = one.bodies.front();
+      united.take(faces[body]);
+    }
+    united.add(one);
   }
-  result.soup = united.result(result.counts);
+  for (const auto& [body, cover] : bodies.covered()) {
+    united.take(bodies.faces_of(body));
+    one_with.try_emplace(cover, cover);
+    one_with[body] = one_with[cover];
+  }
+  const auto root = [&](int body) { return one_with.contains(body) ? one_with[body] : body; };
+  std::set<ShellPair> touching = unions.only_touching;
+  for (const auto& [a, b] : bodies.touching())
+    if (root(a) != root(b)) touching.insert(std::minmax(root(a), root(b)));
+  std::set<int> made;
+  for (const auto& [body, one] : one_with) made.insert(one);
+  counts.touching = touching.size();
+  counts.refused = unions.refused.size();
+  counts.bodies = one_with.size();
+  counts.made = made.size();
+  if (made.empty()) return result;
+  result.soup = united.result(counts);
   Triangles parts_first = result.soup.triangles;
-  const auto parts = static_cast<int>(result.counts.new_faces);
+  const auto parts = static_cast<int>(counts.new_faces);
   std::rotate(parts_first.begin(), parts_first.end() - parts, parts_first.end());
-  result.counts.crossing_parts = self_intersections(result.soup.points, parts_first, parts, cancel).size();
+  counts.crossing_parts = self_intersections(result.soup.points, parts_first, parts, cancel).size();
   if (cancel.cancelled()) return {soup, {}};
   return result;
 }

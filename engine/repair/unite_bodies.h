@@ -14,11 +14,13 @@ struct UnionCounts {
   std::size_t made = 0;            ///< bodies that they became
   std::size_t removed_faces = 0;   ///< within a body, or divided
   std::size_t new_faces = 0;       ///< parts of the divided ones
-  std::size_t open_pieces = 0;     ///< of surface that cross others: left as they are
-  std::size_t crossing = 0;        ///< closed ones that cross others, and themselves: left as they are
+  std::size_t open_pieces = 0;     ///< of surface that cross others, hold a body or lie in one: left as they are
+  std::size_t crossing = 0;        ///< closed ones that do so, and cross themselves: left as they are
   std::size_t touching = 0;        ///< pairs that touch at points or edges alone: left as they are
   std::size_t refused = 0;         ///< pairs that overlap, but have no union (exact_union.h): left as they are
   std::size_t crossing_parts = 0;  ///< pairs of faces of the unions that cross after rounding
+
+  std::size_t left() const { return open_pieces + crossing + refused; }
 };
 
 struct UnitedSurface {

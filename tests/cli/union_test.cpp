@@ -90,7 +90,7 @@ TEST_F(UnionCommand, OpenPiecesAreLeftAndUnitedOnceTheyAreFilled) {
   write("a.ply", joined({ball({0, 0, 0}), open}));
   const Outcome left = fill("a.ply", "filled.ply", "--union");
   EXPECT_EQ(left.code, 1);
-  EXPECT_THAT(left.out, HasSubstr("1 open piece of surface crosses others"));
+  EXPECT_THAT(left.out, HasSubstr("1 open piece of surface crosses others, holds a body or lies in one"));
   EXPECT_THAT(left.out, HasSubstr("fill their holes, then use --union on what was written"));
   EXPECT_EQ(united()["open_pieces"], 1);
   EXPECT_GT(written("filled.ply").intersections, 0U);
@@ -107,7 +107,7 @@ TEST_F(UnionCommand, BodiesThatCrossThemselvesAreLeftAndUnitedOnceTheyAreCut) {
   write("a.ply", joined({spiked, ball({1.5, 0, 0})}));
   const Outcome left = fill("a.ply", "out.ply", "--union");
   EXPECT_EQ(left.code, 1);
-  EXPECT_THAT(left.out, HasSubstr("1 closed body crosses itself and others"));
+  EXPECT_THAT(left.out, HasSubstr("1 closed body crosses itself, and crosses others, holds one or lies in one"));
   EXPECT_EQ(united()["crossing_bodies"], 1);
   EXPECT_EQ(fill("a.ply", "cut.ply", "--cut-intersections").code, 0);
   EXPECT_EQ(fill("cut.ply", "out.ply", "--union").code, 0);

@@ -6,6 +6,8 @@
 
 #include "dialogs/film_dialog.h"
 #include "document/fill_report.h"
+#include "document/labels.h"
+#include "jobs/export_scene.h"
 #include "scene/film.h"
 #include "views/film_source.h"
 #include "views/report_writer.h"
@@ -275,6 +277,20 @@ void FilmTest::a_report_shows_each_patch() {
   QCOMPARE(page.count(QStringLiteral("<img src=\"data:image/png;base64,")), static_cast<int>(patched));
   QCOMPARE(page.count(QStringLiteral("<h3>Hole ")), static_cast<int>(patched));
   QVERIFY(page.contains(QStringLiteral("loopmend fill ")));
+  // Of the triangles and the area of the scan with its patches.
+  const TriangleSoup all = plain_surface(export_task(document, {}));
+  const auto area_from = [&](std::size_t first) {
+    double area = 0;
+    for (std::size_t f = first; f < all.triangles.size(); ++f) {
+      const auto [a, b, c] = all.triangles[f];
+      area += (all.points[b] - all.points[a]).cross(all.points[c] - all.points[a]).norm() / 2;
+    }
+    return area;
+  };
+  const std::size_t given = document.first_scan().model->soup.triangles.size();
+  QVERIFY(page.contains(
+      QStringLiteral("The patches add %1 triangles; they are %2 % of the whole area.")
+          .arg(labels::count(all.triangles.size() - given), labels::number(100 * area_from(given) / area_from(0)))));
   const FillReport report = fill_report(document);
   for (const FillReport::Hole& hole : report.holes)
     for (const QString& line : hole.lines) QVERIFY2(page.contains(line.toHtmlEscaped()), qPrintable(line));

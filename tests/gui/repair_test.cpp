@@ -30,6 +30,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 using namespace loopmend;
@@ -59,6 +60,21 @@ bool has_counted(RepairDialog* dialog) {
 }
 
 void fix(RepairDialog* dialog, const char* button) { dialog->findChild<QPushButton*>(QLatin1String(button))->click(); }
+
+/// Fills the first hole and exports into the file what the dialog offers. @param choose  sets what a person would
+bool export_filled(MainWindow& window, const QString& path, const std::function<void(QDialog&, QLineEdit&)>& choose) {
+  window.selection().select({first_hole(window.document())});
+  press(window, "fillAndSmooth");
+  if (!wait_idle(window)) return false;
+  const WhenAsked asked([&](QDialog& dialog) {
+    auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    choose(dialog, *name);
+    name->setText(path);
+    QTest::keyClick(name, Qt::Key_Return);
+  });
+  window.findChild<FileController*>()->ask_export();
+  return wait_until([&] { return QFile::exists(path); }) && wait_idle(window);
+}
 
 QString write_open_sphere(const QString& path) {
   write_mesh(path.toStdString(), cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; }));
@@ -99,7 +115,8 @@ class RepairTest : public QObject {
   void patches_are_exported_by_themselves();
   void what_is_new_is_labelled();
   void defects_are_listed_and_repaired_one_by_one();
-  void overlapping_bodies_become_one();
+  void bodies_become_one_data();
+  void bodies_become_one();
   void preparing_does_what_the_command_line_does_with_auto();
   void fix_all_leaves_nothing_to_fix_data();
   void fix_all_leaves_nothing_to_fix();
@@ -135,26 +152,17 @@ void RepairTest::export_dialog_tells_the_verdict() {
   auto* words = dialog.findChild<QLabel*>(QStringLiteral("exportVerdict"));
   QVERIFY(wait_until([&] { return words->text().startsWith(QStringLiteral("Not watertight: 1 open boundary loop")); }));
   QCOMPARE(dialog.path(), folder_.filePath(QStringLiteral("asked-filled.ply")));
-  dialog.selectFile(QStringLiteral("without"));
+  dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(QStringLiteral("without"));
   QCOMPARE(dialog.path(), folder_.filePath(QStringLiteral("without.stl")));
 }
 
 void RepairTest::patches_are_exported_by_themselves() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
-  window.selection().select({first_hole(window.document())});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
   const QString path = folder_.filePath(QStringLiteral("patches.ply"));
-  const WhenAsked asked([&](QDialog& dialog) {
+  QVERIFY(export_filled(window, path, [](QDialog& dialog, QLineEdit&) {
     dialog.findChild<QComboBox*>(QStringLiteral("exportContent"))->setCurrentIndex(1);
-    auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    name->setText(path);
-    QTest::keyClick(name, Qt::Key_Return);
-  });
-  window.findChild<FileController*>()->ask_export();
-  QVERIFY(wait_until([&] { return QFile::exists(path); }));
-  QVERIFY(wait_idle(window));
+  }));
   const Patch& patch = window.document().patches().front().state->patch;
   const TriangleSoup written = read_mesh(path.toStdString()).soup;
   QCOMPARE(written.triangles.size(), static_cast<std::size_t>(patch.patch_triangles));
@@ -165,26 +173,18 @@ void RepairTest::patches_are_exported_by_themselves() {
 void RepairTest::what_is_new_is_labelled() {
   Shown shown({sample_file(folder_)});
   MainWindow& window = shown.window;
-  window.selection().select({first_hole(window.document())});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
   const QString path = folder_.filePath(QStringLiteral("labelled.ply"));
-  const WhenAsked asked([&](QDialog& dialog) {
+  QVERIFY(export_filled(window, path, [&](QDialog& dialog, QLineEdit& name) {
     auto* labels = dialog.findChild<QCheckBox*>(QStringLiteral("exportNewFaces"));
     auto* deviations = dialog.findChild<QCheckBox*>(QStringLiteral("exportDeviations"));
-    auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    name->setText(folder_.filePath(QStringLiteral("labelled.stl")));
+    name.setText(folder_.filePath(QStringLiteral("labelled.stl")));
     QVERIFY(!labels->isEnabled() && !deviations->isEnabled());
-    name->setText(folder_.filePath(QStringLiteral("labelled.obj")));
+    name.setText(folder_.filePath(QStringLiteral("labelled.obj")));
     QVERIFY(labels->isEnabled() && !deviations->isEnabled());
-    name->setText(path);
+    name.setText(path);
     labels->click();
     deviations->click();
-    QTest::keyClick(name, Qt::Key_Return);
-  });
-  window.findChild<FileController*>()->ask_export();
-  QVERIFY(wait_until([&] { return QFile::exists(path); }));
-  QVERIFY(wait_idle(window));
+  }));
   const PatchState& state = *window.document().patches().front().state;
   const TriangleSoup written = read_mesh(path.toStdString()).soup;
   const AttributeColumn* is_new = find_column(written.attributes->faces, "patch");
@@ -231,19 +231,35 @@ void RepairTest::defects_are_listed_and_repaired_one_by_one() {
   dialog->close();
 }
 
-void RepairTest::overlapping_bodies_become_one() {
-  TriangleSoup moved = make_icosphere(3);
-  for (Vec3& p : moved.points) p.x() += 1;
-  const TriangleSoup soup = joined({make_icosphere(3), moved});
+void RepairTest::bodies_become_one_data() {
+  QTest::addColumn<double>("radius");
+  QTest::addColumn<double>("distance");
+  QTest::addColumn<int>("bodies");
+  QTest::newRow("overlapping") << 1.0 << 1.0 << 2;
+  QTest::newRow("one within the other") << 0.5 << 0.0 << 2;
+  QTest::newRow("touching at a vertex") << 0.5 << 1.5 << 0;
+}
+
+/// A unit ball, and another one: what is to be united is counted, and nothing else.
+void RepairTest::bodies_become_one() {
+  QFETCH(double, radius);
+  QFETCH(double, distance);
+  QFETCH(int, bodies);
+  const TriangleSoup ball = make_icosphere(3);
+  TriangleSoup other = ball;
+  for (Vec3& p : other.points) p = radius * p + Vec3(0, 0, distance);  // the ball has vertices at both poles
   const QString path = folder_.filePath(QStringLiteral("two_balls.ply"));
-  write_mesh(path.toStdString(), soup);
+  write_mesh(path.toStdString(), joined({ball, other}));
   Shown shown({path});
   MainWindow& window = shown.window;
   RepairDialog* dialog = repair_dialog(window);
   QVERIFY(dialog && has_counted(dialog));
-  QCOMPARE(counted(dialog, "Overlapping"), QStringLiteral("2"));
+  const QString count = bodies > 0 ? QString::number(bodies) : QStringLiteral("none");
+  QCOMPARE(counted(dialog, "Overlapping"), count);
   QCOMPARE(counted(dialog, "Intersecting"), QStringLiteral("none"));
   QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled());
+  QCOMPARE(dialog->findChild<QPushButton*>(QStringLiteral("fixOverlapping"))->isEnabled(), bodies > 0);
+  if (bodies == 0) return;
   fix(dialog, "fixOverlapping");
   QVERIFY(wait_idle(window) && has_counted(dialog));
   QCOMPARE(counted(dialog, "Overlapping"), QStringLiteral("none"));
@@ -251,8 +267,7 @@ void RepairTest::overlapping_bodies_become_one() {
   QCOMPARE(verdict(window), QStringLiteral("Watertight, ready to print"));
   window.undo().undo();
   QVERIFY(has_counted(dialog));
-  QCOMPARE(counted(dialog, "Overlapping"), QStringLiteral("2"));
-  dialog->close();
+  QCOMPARE(counted(dialog, "Overlapping"), count);
 }
 
 /// A ball with a hole, and a fin that stands on an edge of it: both run along an edge of three faces.

@@ -50,6 +50,34 @@ TEST(Judge, CallsTheSphereGoodAndThePlaneACrease) {
   EXPECT_EQ(plane.findings[0].arguments.at(1), static_cast<double>(open.initial.loops[0].size()));
 }
 
+/// Over the sphere, a dome that meets it with an angle: its slope at the circle is √3 + 2 · 0.3 / r in place of √3, r = √3 / 2.
+TEST(Judge, NamesASeamThatBendsMoreThanTheInitialPatch) {
+  const OpenSphere open;
+  const auto patch = [&](double height) {
+    Patch patch = open.initial;
+    for (int i = 0; i < patch.free_count; ++i) {
+      Vec3 on = patch.to_mesh(patch.positions[i]).normalized();
+      on.z() += height * (1 - on.head<2>().squaredNorm() / 0.75);
+      patch.positions[i] = patch.to_frame(on);
+    }
+    return patch;
+  };
+  const Patch sphere = patch(0), dome = patch(0.3);
+  const auto verdict = [&](const Patch& initial, const Patch& of, Judge::Creases creases) {
+    return Judge(initial, {LoopEnd::runs_on}, creases)(of, validate(open.scan, of), seam_reports(of)).at(0);
+  };
+  const Verdict worse = verdict(sphere, dome, Judge::Creases::unwanted);
+  ASSERT_EQ(worse.findings.size(), 1u);
+  EXPECT_EQ(worse.grade, Grade::look);
+  EXPECT_EQ(worse.findings[0].code, NoticeCode::seam_worse);
+  const double right =
+      (std::atan(std::sqrt(3.0) + 1.2 / std::sqrt(3.0)) - std::atan(std::sqrt(3.0))) * 180 / 3.14159265;
+  EXPECT_NEAR(worse.findings[0].arguments.at(0), right, 1.5);
+  EXPECT_EQ(verdict(sphere, dome, Judge::Creases::asked_for).grade, Grade::good);
+  EXPECT_EQ(verdict(dome, dome, Judge::Creases::unwanted).grade, Grade::good);
+  EXPECT_EQ(verdict(dome, sphere, Judge::Creases::unwanted).grade, Grade::good);
+}
+
 TEST(Judge, FindsAFold) {
   const OpenSphere open;
   int moved = 0;
