@@ -28,6 +28,7 @@ namespace loopmend {
 namespace {
 
 constexpr int supersampling = 2;
+constexpr double crease_deg = 50;  ///< edges that bend by more look sharp in a picture of one colour
 
 struct SceneOfModel {
   MeshScene scene;
@@ -49,6 +50,11 @@ double pixel_ratio(double width, double height) {
   return supersampling * std::max(0.6, std::min(width / 1000.0, height / 750.0));
 }
 
+/// Captions are larger: they can be read where a page shows the picture 390 pixels wide, as on a phone.
+double caption_ratio(double width, double height) {
+  return std::max(pixel_ratio(width, height), supersampling * std::min(1.7 * width / 1000, height / 240));
+}
+
 std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const Vec3& origin) {
   std::vector<LoopLine> lines;
   for (const BoundaryLoop& loop : loops) {
@@ -65,6 +71,7 @@ std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<Boun
 
 void fill_scene(SceneOfModel& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
   auto shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, origin));
+  if (options.shading == Shading::plain) *shape = parted_at_creases(std::move(*shape), crease_deg);
   if (is_drawn_over_the_scan(options.shading)) *shape = with_curvature(*shape, curvature_field(model.mesh));
   std::vector<std::shared_ptr<const SurfaceShape>> parts;
   if (options.shading == Shading::scan) parts = colored_parts(scan_colors(model), *shape);
@@ -248,8 +255,9 @@ std::string render_before_after(const SurfaceModel& before, const SurfaceModel& 
   const double share = static_cast<double>(room) / width;
   left.scene.renderer()->SetViewport(0, 0, share, 1);
   right.scene.renderer()->SetViewport(share, 0, 2 * share, 1);
-  add_caption(left.scene.renderer(), "Before", ratio, height);
-  add_caption(right.scene.renderer(), "After", ratio, height);
+  const double caption = caption_ratio(options.width, options.height);
+  add_caption(left.scene.renderer(), "Before", caption, height);
+  add_caption(right.scene.renderer(), "After", caption, height);
   left.scene.renderer()->ResetCameraClippingRange();
   const std::string png = png_of(window, options);
   window->Finalize();

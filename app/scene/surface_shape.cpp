@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace loopmend {
 namespace {
@@ -40,6 +41,37 @@ void set_area_weighted_normals(SurfaceShape& shape) {
   shape.normals.resize(shape.points.size());
   const Points normals = area_weighted_normals(shape);
   for (std::size_t i = 0; i < normals.size(); ++i) put(shape.normals, i, normals[i]);
+}
+
+/// A triangle at a vertex: its corners there, in order, from that vertex on.
+struct Corner {
+  int vertex = 0, next = 0, previous = 0;
+  std::size_t at = 0;  ///< in the list of corners
+  Vec3 normal;         ///< unit; zero of a triangle without area
+};
+
+/// Which corners of one vertex are connected across edges that are no creases. @returns the number of each one's group, from 0
+std::vector<int> groups_of(std::span<const Corner> corners, double least_cosine) {
+  std::vector<int> group(corners.size(), -1);
+  std::vector<std::size_t> open;
+  int groups = 0;
+  for (std::size_t first = 0; first < corners.size(); ++first) {
+    if (group[first] >= 0) continue;
+    group[first] = groups;
+    for (open = {first}; !open.empty();) {
+      const Corner& one = corners[open.back()];
+      open.pop_back();
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Corner& other = corners[k];
+        if (group[k] >= 0 || (one.next != other.previous && one.previous != other.next)) continue;
+        if (one.normal.dot(other.normal) < least_cosine) continue;
+        group[k] = groups;
+        open.push_back(k);
+      }
+    }
+    ++groups;
+  }
+  return group;
 }
 
 bool is_known(const Vec3& normal) { return normal.squaredNorm() > 0.5; }
@@ -106,6 +138,47 @@ SurfaceShape shape_of(const TriMesh& mesh, const Vec3& origin) {
     put(shape.points, i, mesh.point(mesh.vertex_handle(static_cast<unsigned>(i))) - origin);
   shape.triangles = triangles_of_view(mesh);
   shape.own_triangles = static_cast<int>(mesh.n_faces());
+  set_area_weighted_normals(shape);
+  return shape;
+}
+
+SurfaceShape parted_at_creases(SurfaceShape shape, double degrees) {
+  const double half_cosine = std::cos(0.5 * degrees * std::numbers::pi / 180),
+               least_cosine = std::cos(degrees * std::numbers::pi / 180);
+  std::vector<Corner> corners;  // only those that lean far enough for a crease
+  std::vector<char> leans(shape.points.size() / 3, 0);
+  const auto each_corner = [&shape](auto&& visit) {
+    for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3) {
+      const int v[] = {shape.triangles[t], shape.triangles[t + 1], shape.triangles[t + 2]};
+      const Vec3 p = get(shape.points, v[0]);
+      const Vec3 normal = (get(shape.points, v[1]) - p).cross(get(shape.points, v[2]) - p).normalized();
+      for (std::size_t k = 0; k < 3; ++k) visit(Corner{v[k], v[(k + 1) % 3], v[(k + 2) % 3], t + k, normal});
+    }
+  };
+  each_corner([&](const Corner& c) {
+    if (c.normal.dot(get(shape.normals, c.vertex)) < half_cosine) leans[static_cast<std::size_t>(c.vertex)] = 1;
+  });
+  each_corner([&](const Corner& c) {
+    if (leans[static_cast<std::size_t>(c.vertex)]) corners.push_back(c);
+  });
+  if (corners.empty()) return shape;
+  std::stable_sort(corners.begin(), corners.end(),
+                   [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
+  std::vector<int> triangles(shape.triangles.begin(), shape.triangles.end());
+  for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
+    while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
+    const std::vector<int> group = groups_of(std::span(corners).subspan(begin, end - begin), least_cosine);
+    const Vec3 place = get(shape.points, corners[begin].vertex);
+    const int added = static_cast<int>(shape.points.size() / 3) - 1;  // the first group keeps the vertex
+    shape.points.resize(shape.points.size() +
+                        3 * static_cast<std::size_t>(*std::max_element(group.begin(), group.end())));
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      if (group[k] == 0) continue;
+      triangles[corners[begin + k].at] = added + group[k];
+      put(shape.points, static_cast<std::size_t>(added + group[k]), place);
+    }
+  }
+  shape.triangles = std::move(triangles);
   set_area_weighted_normals(shape);
   return shape;
 }

@@ -65,6 +65,11 @@ TriangleList triangles_of_view(const TriMesh& mesh);
 /// The view's vertices; area-weighted normals, no H.
 SurfaceShape shape_of(const TriMesh& mesh, const Vec3& origin);
 
+/// The same surface with a vertex for each side of a crease, so that light does not run round sharp edges.
+/// @param shape    without values and colours
+/// @param degrees  0..180; an edge that bends by more is a crease
+SurfaceShape parted_at_creases(SurfaceShape shape, double degrees);
+
 /// The same surface with fitted normals and H; the shape's normals where there is no fit.
 /// @param field  of the shape's vertices; each of its arrays is freed when it has been read, since a large scan needs the memory
 SurfaceShape with_curvature(const SurfaceShape& shape, CurvatureField field);

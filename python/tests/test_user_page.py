@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of docs/user/python.md and walkthrough.md: each block of Python runs, and prints what the block of text after it shows.
+"""The examples of docs/user/first_hole.md, python.md and walkthrough.md: each block of Python runs, and prints what the block of
+text after it shows.
 
 The blocks of a page share their names, from top to bottom, in a folder of their own. A block that needs a package which is not
 installed is skipped. A block after <!-- file: NAME --> is that file. The pictures that a page shows from pictures/ are made by its
@@ -20,7 +21,8 @@ import pytest
 import loopmend._api
 
 PAGES = Path(__file__).resolve().parents[2] / "docs/user"
-NAMES = ["python.md", "walkthrough.md"]
+LONG_NAMES = ["python.md", "walkthrough.md"]
+NAMES = ["first_hole.md", *LONG_NAMES]
 BLOCK = re.compile(r"^(?:<!-- file: (?P<file>\S+) -->\n)?```python\n(?P<code>.*?)^```$(?:\n\n```text\n(?P<text>.*?)^```$)?",
                    re.M | re.S)
 PICTURE = re.compile(r"^!\[[^\]]+\]\(pictures/(\S+)\)$", re.M)
@@ -57,7 +59,7 @@ def started(tmp_path_factory):
     os.chdir(before)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", LONG_NAMES)
 def test_the_page_has_examples(name):
     assert len(examples(name)) == len(re.findall("^```python$", text_of(name), re.M)) > 7
 
@@ -78,7 +80,7 @@ def test_example(started, name, line, code, text):
         assert said.getvalue() == text
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", LONG_NAMES)
 def test_the_pictures_are_what_the_code_makes(started, name):
     folder, shared = started[name]
     if package := shared.get("missing package"):

@@ -28,6 +28,31 @@ SurfaceShape ball(int level) {
   return shape;
 }
 
+TEST(SurfaceShape, ACubePartedAtItsCreasesHasTheNormalsOfItsSides) {
+  TriangleSoup cube;
+  for (int v = 0; v < 8; ++v) cube.points.emplace_back(v & 1, (v >> 1) & 1, (v >> 2) & 1);
+  cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  const SurfaceShape shape = parted_at_creases(shape_of(cube, Vec3::Zero()), 50);
+  ASSERT_EQ(shape.points.size(), 3U * 24);
+  ASSERT_EQ(shape.normals.size(), 3U * 24);
+  for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+    const int v = shape.triangles[t], given = cube.triangles[t / 3][t % 3];
+    EXPECT_EQ(point(shape, v).cast<double>(), cube.points[static_cast<std::size_t>(given)]);
+    const Eigen::Map<const Eigen::Vector3f> normal(shape.normals.data() + 3 * static_cast<std::ptrdiff_t>(v));
+    EXPECT_EQ(normal.lpNorm<1>(), 1);
+    EXPECT_EQ(normal.lpNorm<Eigen::Infinity>(), 1);
+  }
+}
+
+TEST(SurfaceShape, ABallHasNoCreasesToPartAt) {
+  const SurfaceShape whole = shape_of(make_icosphere(3), Vec3::Zero());
+  const SurfaceShape parted = parted_at_creases(whole, 50);
+  EXPECT_EQ(parted.points, whole.points);
+  EXPECT_EQ(parted.normals, whole.normals);
+  EXPECT_EQ(parted.triangles, whole.triangles);
+}
+
 TEST(SurfaceShape, SlicesHaveAllTriangles) {
   const SurfaceShape whole = ball(3);
   const int count = static_cast<int>(whole.triangles.size() / 3);

@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <limits>
@@ -48,6 +49,23 @@ class RenderTest : public QObject {
     }
     QVERIFY(pictures[0] != pictures[1]);
     QVERIFY(pictures[1] != pictures[2]);
+  }
+
+  void captions_can_be_read_on_a_phone() {
+    RenderOptions options;
+    options.shading = Shading::plain;
+    options.width = 1000;
+    options.height = 420;
+    const QImage picture = QImage::fromData(QByteArray::fromStdString(render_before_after(model_, model_, options)));
+    int first = options.height, last = -1;
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 120; ++x)
+        if (qGray(picture.pixel(x, y)) < 90) {
+          first = std::min(first, y);
+          last = std::max(last, y);
+        }
+    const double capitals_at_390 = (last - first + 1) * 390.0 / options.width;
+    QVERIFY2(capitals_at_390 >= 7, qPrintable(QString::number(capitals_at_390)));
   }
 
   void the_same_picture_every_time() {

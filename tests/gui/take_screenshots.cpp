@@ -28,6 +28,8 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -114,7 +116,9 @@ void show_story(MainWindow& window, const QString& file) {
   linger(200);
   shoot(window, "window");
   shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");
-  shoot_part(window, part<QDockWidget>(window, "patchDock"), "patch");
+  auto* patch = part<QDockWidget>(window, "patchDock");
+  for (QScrollArea* area : patch->findChildren<QScrollArea*>()) area->verticalScrollBar()->setValue(0);
+  shoot_part(window, patch, "patch");
   press(window, "otherPatches");
   wait_until([&] { return !window.candidates().busy(); }, 300);
   shoot(window, "candidates");
