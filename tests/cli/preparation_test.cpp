@@ -265,7 +265,7 @@ TEST_F(PreparationCommands, ExpectedDeviationOfEachNewVertexIsAPropertyOfPly) {
   }
   EXPECT_GT(largest, likely);
   EXPECT_THAT(loopmend_program("fill " + path("a.ply") + "-o " + path("b.obj") + "--deviation").out,
-              HasSubstr("Only PLY has room"));
+              HasSubstr("Only PLY and polydata have room"));
 }
 
 /// A tube of two walls, open at both ends.

@@ -436,7 +436,7 @@ void FeatureTest::memory_is_given_back() {
   MainWindow& window = shown.window;
   // Many points in the scan and its shape, and patches with timelines.
   const QString ball = scan_file(folder_, QStringLiteral("much.ply"),
-                                 cut(make_icosphere(6), [](const Vec3& p) { return p.z() > 0.999; }));
+                                 cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0.999; }));
   const QString sheet = write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6);
   const auto fill_much = [&] {
     window.open({ball, sheet});
