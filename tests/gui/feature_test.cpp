@@ -438,14 +438,15 @@ void FeatureTest::memory_is_given_back() {
   const QString ball = scan_file(folder_, QStringLiteral("much.ply"),
                                  cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0.999; }));
   const QString sheet = write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6);
+  const auto checked = [&] { return wait_until([&] { return window.print_check().result().has_value(); }, 200); };
   const auto fill_much = [&] {
     window.open({ball, sheet});
     return wait_idle(window) && (press(window, "fill"), wait_idle(window, 200)) &&
-           (press(window, "fillAndSmooth"), wait_idle(window, 200));
+           (press(window, "fillAndSmooth"), wait_idle(window, 200)) && checked();
   };
   const auto back_to_sample = [&] {
     window.controller().open({sample_file(folder_)}, OpenMode::replace);
-    const bool idle = wait_idle(window);
+    const bool idle = wait_idle(window) && checked();
     settle();
     return idle;
   };
