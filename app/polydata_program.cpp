@@ -9,6 +9,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -418,6 +419,7 @@ int main(int count, char** arguments) {
   using namespace loopmend;
   vtkNew<FirstError> error;
   vtkOutputWindow::SetInstance(error);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   const std::vector<std::string> words(arguments + 1, arguments + count);
   try {
     if (words != std::vector<std::string>{"read"} && words.size() != 2)

@@ -148,6 +148,11 @@ TEST_F(Polydata, WhatIsNoMeshIsNamed) {
   EXPECT_NE(
       refusal("a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 999999999999 float\n0 0 0\n"),
       "");
+  // One sentence, without VTK's log.
+  EXPECT_EQ(refusal("a.vtp", whole.substr(0, 60)),
+            (folder_ / "a.vtp").string() +
+                ": VTK: Error parsing XML in stream at line 2, column 0, byte index 22: unclosed token. Loopmend reads "
+                "polydata: in ParaView, extract the surface and save it as .vtp.");
   EXPECT_THAT(refusal("a.vtp", "hello"), HasSubstr("does not begin as VTK files do"));
 }
 
