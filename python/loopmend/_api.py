@@ -310,7 +310,7 @@ def read(path: Path, *, weld: bool = False, all_digits: bool = False) -> Mesh:
 
 def write(path: Path, mesh: Any, faces: Optional[ArrayLike] = None, *, colors: Optional[ArrayLike] = None,
           ascii: bool = False) -> None:
-    """Writes a mesh. The format follows the extension: .ply, .stl, .obj, .off, .glb, .gltf or .3mf, with .gz after it compressed.
+    """Writes a mesh. The format follows the extension: .ply, .stl, .obj, .off, .glb, .gltf, .3mf, .vtp or .vtk, with .gz after it compressed.
 
     The file appears when it is complete; what stood there before stays until then. PLY holds float64, OBJ and OFF text with
     17 digits; binary STL and glTF round to float32.

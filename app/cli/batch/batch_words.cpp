@@ -33,7 +33,7 @@ void add_batch(CLI::App& app, BatchCommand& command) {
       ->check(between(0, 1024))
       ->capture_default_str();
   batch->add_option("--format", command.format, "Format of the outputs (default: that of each input)")
-      ->check(CLI::IsMember({"ply", "stl", "obj", "off", "glb", "gltf", "3mf"}));
+      ->check(CLI::IsMember({"ply", "stl", "obj", "off", "glb", "gltf", "3mf", "vtp", "vtk"}));
   using Pictures = BatchCommand::Pictures;
   add_choice<Pictures>(*batch, "--pictures", command.pictures,
                        {{"none", Pictures::none}, {"open", Pictures::open}, {"all", Pictures::all}}, "all",
