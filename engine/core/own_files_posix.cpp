@@ -20,14 +20,15 @@ namespace loopmend {
 
 namespace {
 
-/// The program, or the library or module that has the engine in it.
+/// The program, or the library or module that has the engine in it. Empty where /proc is not mounted.
 std::filesystem::path this_file() {
   Dl_info info{};
   link_map* map = nullptr;
   if (dladdr1(reinterpret_cast<const void*>(&own_file), &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0 &&
       map && map->l_name && *map->l_name)
     return std::filesystem::absolute(map->l_name);
-  return std::filesystem::read_symlink("/proc/self/exe");
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error);
 }
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -49,10 +50,10 @@ std::string content_of(std::FILE* file) {
 }  // namespace
 
 std::filesystem::path own_file(const std::string& name) {
-  const std::filesystem::path folder = this_file().parent_path();
+  const std::filesystem::path self = this_file(), folder = self.parent_path();
   std::filesystem::path file = folder / name;
   if (!exists(file)) file = (folder / LOOPMEND_OWN_FOLDER / name).lexically_normal();
-  if (!exists(file))
+  if (self.empty() || !exists(file))
     throw Error(say("%1 is missing; in Debian's packages it is in loopmend-pictures", path_text(file)));
   return file;
 }
