@@ -185,7 +185,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->capture_default_str();
   fill->add_flag_callback(
       "--mark", [&command] { command.write.new_faces = NewFaces::labelled; },
-      "Label the new triangles: face property patch of PLY and polydata, group loopmend_patch of OBJ, object of glTF and 3MF");
+      "Label the new triangles: face property patch of PLY and polydata, group loopmend_patch of OBJ, object of glTF "
+      "and 3MF");
   fill->add_flag_callback(
       "--deviation", [&command] { command.deviations = FillCommand::Deviations::written; },
       "PLY: write how far each new vertex is likely from what was there, as vertex property expected_deviation");

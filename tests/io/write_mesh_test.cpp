@@ -97,7 +97,8 @@ TEST_F(WriteMesh, RefusesUnknownExtensions) {
       write_mesh(folder_ / name, awkward_soup());
       ADD_FAILURE() << name;
     } catch (const WriteError& error) {
-      EXPECT_NE(std::string(error.what()).find(".off, .glb, .gltf, .3mf, .vtp or .vtk"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(".off, .glb, .gltf, .3mf, .vtp or .vtk"), std::string::npos)
+          << error.what();
     }
   }
   EXPECT_EQ(folder_.file_count(), 0U);
