@@ -48,7 +48,7 @@ ExportTask export_task(const Document& document, const std::filesystem::path& pa
 /// other.
 TriangleSoup plain_surface(const ExportTask& task);
 
-/// @throws WriteError; InvalidArgument for labels on several scans: in one file, their rows are not told from new ones.
+/// @throws WriteError; InvalidArgument for labels on several scans: one file cannot keep the rows of several scans apart from new ones.
 /// @returns without a file when cancelled.
 ExportResult export_scene(const ExportTask& task, const CancelToken& cancel);
 

@@ -240,7 +240,7 @@ void RepairTest::bodies_become_one_data() {
   QTest::newRow("touching at a vertex") << 0.5 << 1.5 << 0;
 }
 
-/// A unit ball, and another one: what is to be united is counted, and nothing else.
+/// A unit ball, and another one: the bodies to be united are counted, and no others.
 void RepairTest::bodies_become_one() {
   QFETCH(double, radius);
   QFETCH(double, distance);

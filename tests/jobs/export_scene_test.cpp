@@ -11,7 +11,7 @@
 namespace loopmend {
 namespace {
 
-/// In one file, the rows of several scans are not told from new ones: labels would say wrong things of them.
+/// One file cannot keep the rows of several scans apart from new ones: their labels would be wrong.
 TEST(ExportScene, OneScanAloneIsLabelled) {
   ExportTask task;
   task.path = std::filesystem::temp_directory_path() / "loopmend_export_scene_test.ply";

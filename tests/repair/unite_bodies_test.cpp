@@ -131,7 +131,7 @@ TEST(UniteBodies, OneWithinAnotherGoes) {
   expect_sound(united.soup);
 }
 
-/// Without corefinement: CGAL would refuse the one with faces without area. A cavity goes with its body, and so does what is in it.
+/// Without corefinement: CGAL would refuse the one with faces without area. A cavity goes with its body, and so does its content.
 TEST(UniteBodies, OneWithinAnotherGoesWithoutAUnion) {
   const TriangleSoup outer = ball({0, 0, 0});
   const TriangleSoup hollow = joined({ball({0.3, 0, 0}, 0.5), inward(ball({0.3, 0, 0}, 0.3)), ball({0.3, 0, 0}, 0.1)});
