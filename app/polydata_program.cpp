@@ -3,6 +3,7 @@
 // sentence on its standard error, with exit code 3. Arrays of VTK have any number of values per row, properties of PLY one:
 // io/polydata.h says how they are called.
 #include "core/error.h"
+#include "io/ply_values.h"
 #include "io/polygon_soup.h"
 
 #include <vtkCellArray.h>
@@ -101,11 +102,6 @@ int vtk_type(ScalarType type) {
   return VTK_DOUBLE;
 }
 
-const char* ply_name(ScalarType type) {
-  constexpr std::array names{"char", "uchar", "short", "ushort", "int", "uint", "float", "double"};
-  return names[static_cast<std::size_t>(type)];
-}
-
 // ---- from VTK to PLY ----
 
 vtkSmartPointer<vtkPolyData> parsed(const std::string& bytes) {
@@ -169,34 +165,22 @@ class PlyText {
   void property(ScalarType type, const std::string& name) {
     elements_ << "property " << ply_name(type) << ' ' << name << '\n';
   }
-  void value(ScalarType type, double value) {
-    switch (type) {
-      case ScalarType::int8: return bytes(static_cast<std::int8_t>(value));
-      case ScalarType::uint8: return bytes(static_cast<std::uint8_t>(value));
-      case ScalarType::int16: return bytes(static_cast<std::int16_t>(value));
-      case ScalarType::uint16: return bytes(static_cast<std::uint16_t>(value));
-      case ScalarType::int32: return bytes(static_cast<std::int32_t>(value));
-      case ScalarType::uint32: return bytes(static_cast<std::uint32_t>(value));
-      case ScalarType::float32: return bytes(static_cast<float>(value));
-      case ScalarType::float64: return bytes(value);
-    }
+  void value(ScalarType type, double value) { values_.put(type, value); }
+  void index(vtkIdType value) {
+    constexpr vtkIdType most = std::numeric_limits<std::int32_t>::max();
+    values_.put(ScalarType::int32, static_cast<double>(std::clamp<vtkIdType>(value, -1, most)));
   }
-  void index(vtkIdType value) { bytes(static_cast<std::int32_t>(std::clamp<vtkIdType>(value, -1, most_))); }
   void print() {
+    out_.finish();
     std::cout << "ply\nformat binary_little_endian 1.0\n"
               << header_.str() << elements_.str() << "end_header\n"
-              << body_;
+              << body_.view();
   }
 
  private:
-  static constexpr vtkIdType most_ = std::numeric_limits<std::int32_t>::max();
-  template <class T>
-  void bytes(T value) {
-    const auto* first = reinterpret_cast<const char*>(&value);  // little endian, as every machine we build for
-    body_.append(first, sizeof value);
-  }
-  std::ostringstream header_, elements_;
-  std::string body_;
+  std::ostringstream header_, elements_, body_;
+  Output out_{body_, nullptr};
+  PlyValues values_{out_, Encoding::binary};
 };
 
 /// Those arrays of points or cells that PLY has room for.
