@@ -284,8 +284,9 @@ EvolutionOptions CompareWindow::options() const {
 }
 
 void CompareWindow::run() {
-  if (run_->isEnabled() || flow_comparison_.stage() == ComparisonController::Stage::ready)
-    flow_comparison_.run(options());
+  if (flow_comparison_.stage() != ComparisonController::Stage::ready) return;
+  flow_comparison_.run(options());
+  for (FlowCanvas* canvas : canvases()) canvas->expect_news();
 }
 
 void CompareWindow::run_when_ready() {

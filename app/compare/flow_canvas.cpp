@@ -131,6 +131,10 @@ void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape,
   redraw();
 }
 
+void FlowCanvas::expect_news() {
+  for (auto& scene : impl_->scenes) scene->expect_news(0);
+}
+
 /// Only what is another: a new colour map goes to the graphics with every vertex.
 void FlowCanvas::set_look(const Look& look, double half_width) {
   const Look old = std::exchange(impl_->look, look);

@@ -29,6 +29,8 @@ class FlowCanvas : public QWidget {
   void set_neighborhood(std::shared_ptr<const SurfaceShape> shape);
   /// @param side  0, or 1 for what is right of the line.
   void show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
+  /// A flow starts: the time until its first state says how long the surface moves to it.
+  void expect_news();
   /// @param half_width  of the colour range, in force instead of the look's own.
   void set_look(const Look& look, double half_width);
 
