@@ -93,7 +93,10 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
       case boundary:
         return tr(
             "How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough");
-      case crease: return tr("Largest bend of the surface along the seam, in degrees; known once the hole is filled");
+      case crease:
+        return tr(
+            "Bend of the surface along the seam, in degrees: 8 % of the seam's edges, at least two, have it or more; "
+            "known once the hole is filled");
       case deviation:
         return tr(
             "How far the patch is likely from what was there (80 %), in the scan's unit; known once the hole is "

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 
@@ -78,10 +79,20 @@ struct Run {
     mean += (angle - mean) / (edges + 1);
     ++edges;
   }
-  bool counts(double share, std::size_t loop_edges) const {
-    return edges >= std::max(2.0, share * static_cast<double>(loop_edges));
+  bool counts(double share, std::size_t loop_edges) const { return edges >= edges_of(share, loop_edges); }
+  /// How many edges of a loop a person sees: this share of them, at least two.
+  static int edges_of(double share, std::size_t loop_edges) {
+    return std::max(2, static_cast<int>(std::ceil(share * static_cast<double>(loop_edges))));
   }
 };
+
+/// So many edges that a crease is seen bend by it or by more: where it is above Bends::most_at_seam(), there is a finding.
+double crease_of(std::vector<double> bends, std::size_t loop_edges) {
+  const auto place = static_cast<std::size_t>(Run::edges_of(seam_crease_share, loop_edges) - 1);
+  if (place >= bends.size()) return 0;
+  std::nth_element(bends.begin(), bends.begin() + static_cast<long>(place), bends.end(), std::greater<>());
+  return bends[place];
+}
 
 /// tan(α/2)/2 diameters, α the angle at which the scan runs on over the loop's plane.
 double ball_height(const Patch& patch, const std::vector<int>& loop, const LoopPlace& place) {
@@ -145,12 +156,13 @@ const char* to_string(Grade grade) {
   return "";
 }
 
-std::optional<double> crease_without_finding(const Patch& patch) {
+std::optional<SeamBend> bend_without_finding(const Patch& patch) {
   const Bends bends(patch);
-  double largest = 0;
-  for (const auto& [edge, angle] : bends.seam) largest = std::max(largest, angle);
+  std::vector<double> seam;
+  for (const auto& [edge, angle] : bends.seam) seam.push_back(angle);
+  const double largest = seam.empty() ? 0 : *std::ranges::max_element(seam);
   if (!bends.folds.empty() || largest > bends.most_at_seam()) return std::nullopt;
-  return largest;
+  return SeamBend{largest, crease_of(seam, seam.size())};
 }
 
 void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std::vector<Verdict>& verdicts) {
@@ -227,15 +239,17 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
 void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double most_at_seam, Verdict& verdict) const {
   const std::vector<double>& before = initial_bends_[l];
   Run torn, was, crease;
+  std::vector<double> unwanted;
   for (std::size_t k = 0; k < bends.size(); ++k) {
     if (expects_crease(l, k)) continue;
-    verdict.crease_deg = std::max(verdict.crease_deg, bends[k]);
+    unwanted.push_back(bends[k]);
     if (k < before.size() && bends[k] > torn_deg && bends[k] > before[k] + torn_more_deg) {
       torn.add(bends[k]);
       was.add(before[k]);
     }
     if (bends[k] > most_at_seam) crease.add(bends[k]);
   }
+  verdict.crease_deg = crease_of(std::move(unwanted), bends.size());
   if (creases_ == Creases::asked_for || ends_at(l)) return;
   if (torn.counts(torn_seam_share, bends.size()))
     add(verdict, Grade::bad, {NoticeCode::torn_seam, {torn.mean, static_cast<double>(torn.edges), was.mean}});

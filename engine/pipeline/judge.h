@@ -31,7 +31,7 @@ const char* to_string(Grade grade);
 struct Verdict {
   Grade grade = Grade::good;
   std::vector<Notice> findings;  ///< the most serious first; empty where it is good
-  double crease_deg = 0;         ///< largest bend of a seam edge
+  double crease_deg = 0;         ///< bend of the seam that 8 % of its edges, at least two, have or exceed
   double height = 0;             ///< over the loop's best plane, beyond the loop itself, in loop diameters
   int crossings = 0;             ///< places where it intersects the surface or itself
   int folds = 0;                 ///< edges bent by more than 150°
@@ -95,9 +95,13 @@ class Judge {
   std::vector<SeamReport> initial_seams_;
 };
 
-/// Of a patch of a few triangles: the largest bend of a seam edge, degrees; nothing where one is larger than a Judge leaves without a
-/// finding, or an edge of the patch is a fold.
-std::optional<double> crease_without_finding(const Patch& patch);
+/// Bends of the edges of a seam, degrees.
+struct SeamBend {
+  double largest = 0, crease = 0;  ///< of one edge; as Verdict::crease_deg
+};
+
+/// Of a patch of a few triangles: nothing where a bend is larger than a Judge leaves without a finding, or an edge of the patch is a fold.
+std::optional<SeamBend> bend_without_finding(const Patch& patch);
 
 /// Adds to the verdicts of the patch's loops where the surface that was there is likely far.
 void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std::vector<Verdict>& verdicts);

@@ -126,8 +126,8 @@ std::optional<GroupResult> close_tiny_hole(const ScanIndex& scan, const Boundary
   std::optional<Patch> patch = patch_of_few_triangles(scan.model, loop, rings_of_test);
   if (!patch) return {};
   Validity validity = validate(scan, *patch);
-  const std::optional<double> crease = crease_without_finding(*patch);
-  if (!validity.is_clean() || !crease || (loop.edges() > 3 && *crease > most_bend)) return {};
+  const std::optional<SeamBend> bend = bend_without_finding(*patch);
+  if (!validity.is_clean() || !bend || (loop.edges() > 3 && bend->largest > most_bend)) return {};
   if (rings != rings_of_test) patch = patch_of_few_triangles(scan.model, loop, rings);
   auto result = std::make_shared<PatchResult>();
   result->status = PatchStatus::filled;
@@ -139,7 +139,7 @@ std::optional<GroupResult> close_tiny_hole(const ScanIndex& scan, const Boundary
   result->message = std::move(message).with_code("tiny");
   result->validity = std::move(validity);
   result->verdicts.resize(1);
-  result->verdicts.front().crease_deg = *crease;
+  result->verdicts.front().crease_deg = bend->crease;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   result->seams = result->seams_before = {{nan, nan, nan, nan, nan}};
   result->patch = std::move(*patch);

@@ -50,6 +50,25 @@ TEST(Judge, CallsTheSphereGoodAndThePlaneACrease) {
   EXPECT_EQ(plane.findings[0].arguments.at(1), static_cast<double>(open.initial.loops[0].size()));
 }
 
+/// The sphere, and beside a sector of its seam the plane of the seam, 60° away from the sphere.
+TEST(Judge, TheCreaseIsTheBendThatDecides) {
+  const OpenSphere open;
+  const auto sector = [&](double half_angle) {
+    return open.of([&](const Vec3& p) {
+      const Vec3 on = p.normalized();
+      if (std::abs(std::atan2(p.y(), p.x())) > half_angle) return on;
+      return Vec3(on.x() / on.head<2>().norm() * p.head<2>().norm(), on.y() / on.head<2>().norm() * p.head<2>().norm(),
+                  0.5);
+    });
+  };
+  const double edge = 2 * std::acos(-1) / static_cast<double>(open.initial.loops[0].size());
+  const Verdict narrow = sector(edge), wide = sector(6 * edge);
+  EXPECT_LT(narrow.crease_deg, 35) << narrow.message();
+  EXPECT_EQ(narrow.grade, Grade::good) << narrow.message();
+  EXPECT_GT(wide.crease_deg, 35);
+  EXPECT_EQ(wide.grade, Grade::look);
+}
+
 /// Over the sphere, a dome that meets it with an angle: its slope at the circle is √3 + 2 · 0.3 / r in place of √3, r = √3 / 2.
 TEST(Judge, NamesASeamThatBendsMoreThanTheInitialPatch) {
   const OpenSphere open;
