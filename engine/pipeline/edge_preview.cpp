@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "filling/loop_patch.h"
 #include "pipeline/flat_cut.h"
+#include "pipeline/initial_patch.h"
 
 #include <algorithm>
 #include <map>
