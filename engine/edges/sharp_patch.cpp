@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -257,28 +258,53 @@ struct Tolerance {
   double rms = most_misfit, anywhere = most_misfit_anywhere;
 };
 
+/// The loop's distances from the surfaces, each vertex on those that it belongs to.
+struct Misfit {
+  double sum = 0, largest = 0;
+  std::size_t count = 0;
+
+  void add(double distance) {
+    sum += distance * distance;
+    largest = std::max(largest, distance);
+    ++count;
+  }
+  double rms() const { return std::sqrt(sum / static_cast<double>(count)); }
+  bool is_within(const Tolerance& tolerance, double diameter) const {
+    return rms() <= tolerance.rms * diameter && largest <= tolerance.anywhere * diameter;
+  }
+};
+
+/// A bound from below that costs nothing: each vertex on the surface nearest to it.
+Misfit least_misfit(const Patch& initial, const Sides& sides) {
+  Misfit least;
+  for (int v : initial.loops[0]) {
+    const Vec3& p = initial.positions[v];
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const SideSurface& surface : sides.surfaces) nearest = std::min(nearest, (p - surface.foot(p)).norm());
+    least.add(nearest);
+  }
+  return least;
+}
+
 /// @param sides  of the neighborhood. @param joined  takes up loop edges whose sides a stopped edge parts; the patch is then of no use.
 /// @returns nothing where the sides do not fit the loop, or not each other.
 std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& sides, const Tolerance& tolerance,
                                          const LoopEdits& edits, std::vector<std::pair<int, int>>& joined,
                                          const CancelToken& cancel) {
+  const double diameter = loop_diameter(initial, 0), reach = farthest_seam * diameter;
+  if (!least_misfit(initial, sides).is_within(tolerance, diameter)) return std::nullopt;
   const Domain domain = domain_of(initial);
   if (domain.loop != static_cast<int>(initial.loops[0].size())) return std::nullopt;
   const std::vector<int> labels = label_faces(domain, sides, cancel);
   if (labels.empty()) return std::nullopt;
-  const double diameter = loop_diameter(initial, 0), reach = farthest_seam * diameter;
   std::optional<Meshed> meshed = mesh_parts(initial, domain, sides, labels, reach, cancel);
   if (!meshed) return std::nullopt;
   Assembly& all = meshed->all;
-  const Points moves = carry_in(sides, reach, all);
-  double sum = 0, largest = meshed->layout.gap;
-  for (const Vec3& move : moves) {
-    sum += move.squaredNorm() / static_cast<double>(moves.size());
-    largest = std::max(largest, move.norm());
-  }
+  Misfit misfit;
+  misfit.largest = meshed->layout.gap;
+  for (const Vec3& move : carry_in(sides, reach, all)) misfit.add(move.norm());
+  if (!misfit.is_within(tolerance, diameter)) return std::nullopt;
   SharpPatch result;
-  result.misfit = std::sqrt(sum) / diameter;
-  if (result.misfit > tolerance.rms || largest > tolerance.anywhere * diameter) return std::nullopt;
   std::set<int> used;
   for (const Part& part : meshed->layout.parts) used.insert(part.side);
   if (used.size() == 1 && !is_plain_side(sides.surfaces[*used.begin()], diameter)) return std::nullopt;

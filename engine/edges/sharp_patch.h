@@ -18,7 +18,6 @@ struct SharpPatch {
   /// Sharp edges within the patch: indices into patch.points, from one end to the other.
   std::vector<std::vector<int>> edges;
   std::vector<char> creased;  ///< of each loop edge: whether the patch continues another side than the one across it
-  double misfit = 0;          ///< rms distance of the loop from the continued surfaces, diameters
 };
 
 /// What a person says of the edges of one loop, by places on it.
