@@ -16,19 +16,8 @@ struct CleanNeighborhood {
 /// A fixed vertex of rings 1 to 4 is an outlier as far as its distance from a robust cubic fit of its neighbours, itself left
 /// out, exceeds both 0.03 mean edges and ten times the median of these distances; from twice that on it is moved onto the
 /// fit. The largest are taken first, since they lead the fits beside them astray. More than two within two edges of one
-/// another are a feature, and stay.
+/// another are a feature, and stay. Where the median itself exceeds 0.03 mean edges, the neighborhood is rough: it has no outliers.
 CleanNeighborhood remove_outliers(const Patch& patch);
-
-/// Distances of the vertices that are looked at from least squares fits, patch frame: these see every outlier as well, only
-/// less sharply, at a fifth of the time.
-struct OutlierDistances {
-  double largest = 0, median = 0;
-};
-
-OutlierDistances outlier_distances(const Patch& patch, const FixedSurface& around);
-
-/// The same where these distances are known. @param distances  of this patch's neighborhood.
-CleanNeighborhood remove_outliers(const Patch& patch, const OutlierDistances& distances);
 
 /// The free vertices of `solved`, carried along from its fixed vertices to those of `original`, which are met bit for bit: their
 /// offset fades from the loops into the patch, to 1/e within `reach` and faster.
