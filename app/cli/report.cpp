@@ -156,8 +156,11 @@ Json loop_json(const HoleResult& result) {
   json["rim"] = boundary_json(result);
   json["seconds"] = {{"initial_patch", patch.seconds.initial_patch},
                      {"survey", patch.seconds.survey},
+                     {"choice", patch.seconds.choice},
                      {"assemble", patch.seconds.assemble},
                      {"solve", patch.seconds.solve},
+                     {"checks", patch.seconds.checks},
+                     {"rejected", patch.seconds.rejected},
                      {"expected_deviation", patch.seconds.deviation},
                      {"other", patch.seconds.other()},
                      {"total", result.seconds}};

@@ -43,7 +43,10 @@ void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
   if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, say("cancelled"));
   const SplitProblem::Outcome outcome = pays_ ? problem_->step(cancel) : SplitProblem::Outcome::ended;
   pays_ = outcome == SplitProblem::Outcome::moved;
-  if (!pays_ && outcome != SplitProblem::Outcome::moved_little) return end(patch, outcome);
+  if (!pays_ && outcome != SplitProblem::Outcome::moved_little) {
+    if (!patch.history.empty()) patch.history.back().solve_seconds += watch.lap();
+    return end(patch, outcome);
+  }
   const Points moved = problem_->patch_positions(cancel);
   if (cancel.cancelled()) return patch.stop(PatchStatus::cancelled, say("cancelled"));
   if (moved.empty())

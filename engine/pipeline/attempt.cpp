@@ -6,7 +6,10 @@
 #include "mesh/quality.h"
 #include "pipeline/bend_aside.h"
 #include "pipeline/local_rollback.h"
+#include "pipeline/seconds_since.h"
 #include "pipeline/unfold.h"
+
+#include <chrono>
 
 namespace loopmend {
 
@@ -70,6 +73,7 @@ CheckedPatch checked(const PatchProblem& problem, Patch patch, const CancelToken
 }  // namespace
 
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result) {
+  const auto start_time = std::chrono::steady_clock::now();
   const PatchProblem& problem = context.problem;
   const double reach =
       mean_edge_length(problem.initial.positions, problem.initial.triangles, problem.initial.patch_triangles);
@@ -90,6 +94,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   }
   result.reason =
       is_judged(options) && evolution.split() ? reason_for(*evolution.split(), evolution.method()) : Message();
+  const auto checks = std::chrono::steady_clock::now();
   CheckedPatch found = checked(
       problem, context.clean_neighborhood ? carried_to(problem.initial, evolution.patch(), reach) : evolution.patch(),
       context.cancel);
@@ -110,10 +115,13 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
   if (spoilt && evolution.method() == Method::split_flow && !context.clean_neighborhood)
     take_rolled_back(context, faired, evolution, result);
   open_folds(context, options.flow, result);
+  result.seconds.checks = seconds_since(checks);
+  result.seconds.total = seconds_since(start_time);
   return true;
 }
 
 void take_patch(const AttemptContext& context, const Judge& judge, FlowKind flow, Patch patch, PatchResult& result) {
+  const auto checks = std::chrono::steady_clock::now();
   CheckedPatch found = checked(context.problem, std::move(patch), context.cancel);
   result.patch = std::move(found.patch);
   result.validity = std::move(found.validity);
@@ -122,6 +130,7 @@ void take_patch(const AttemptContext& context, const Judge& judge, FlowKind flow
   result.energy.final = energy_of(result.patch, flow);
   if (found.is_bent) add_message(result, bent_message());
   result.verdicts = judge(result.patch, result.validity, result.seams);
+  result.seconds.checks = seconds_since(checks);
 }
 
 void open_folds(const AttemptContext& context, FlowKind flow, PatchResult& result) {

@@ -6,8 +6,10 @@
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/multi_start.h"
+#include "pipeline/seconds_since.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -65,6 +67,7 @@ Judge judge_for(const PatchProblem& problem, const EvolutionOptions& options, st
 }
 
 PatchResult judged_initial(const PatchProblem& problem, const EvolutionOptions& options, const Judge& judge) {
+  const auto start = std::chrono::steady_clock::now();
   PatchResult result;
   result.status = PatchStatus::filled;
   result.flow = options.flow;
@@ -72,6 +75,7 @@ PatchResult judged_initial(const PatchProblem& problem, const EvolutionOptions& 
   result.validity = validate(problem.scan, problem.initial);
   result.seams = result.seams_before = judge.initial_seams();
   result.verdicts = judge(result.patch, result.validity, result.seams);
+  result.seconds.checks = result.seconds.total = seconds_since(start);
   return result;
 }
 
@@ -106,6 +110,7 @@ bool flow(const Situation& s, PatchResult& result) {
 }
 
 bool sharp_edges(const Situation& s, PatchResult& result) {
+  const auto start = std::chrono::steady_clock::now();
   const PatchProblem& problem = s.context.problem;
   Patch patch = make_patch(problem.scan.model, problem.loops, {s.sharp->patch});
   patch.grading = problem.initial.grading;
@@ -119,6 +124,7 @@ bool sharp_edges(const Situation& s, PatchResult& result) {
                                       : say("%1 sharp edges run on across the hole", edges),
                          "; ", say("--edges round runs the flow"))
                       .with_code("sharp_edges");
+  result.seconds.total = seconds_since(start);
   return true;
 }
 
@@ -189,6 +195,7 @@ Message reason_of_cut(const Situation& s) {
 }
 
 PatchResult best_candidate(const Situation& s) {
+  const auto start = std::chrono::steady_clock::now();
   PatchResult best;
   std::vector<std::string> tried;
   Message why_not_the_first;
@@ -226,6 +233,7 @@ PatchResult best_candidate(const Situation& s) {
     }
   }
   best.attempts = std::move(tried);
+  best.seconds.rejected = std::max(0.0, seconds_since(start) - best.seconds.total);
   return best;
 }
 
@@ -263,6 +271,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
         say("too small to hold a free vertex: closed by triangles between its own vertices").with_code("tiny");
     return result;
   }
+  const auto start = std::chrono::steady_clock::now();
   PatchResult mirrored;
   if (problem.mirror_planes && !problem.mirror_planes->empty() && problem.loops.size() == 1) {
     mirrored = mirrored_patch(problem, options, cancel);
@@ -296,7 +305,9 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     if (!problem.loops.empty()) situation.options.literal_relief = SplitEstimate::exact_hole;
   }
   if (situation.is_rough() && !situation.is_cut()) situation.triangulation = triangulation_of(problem, cancel);
+  const double choice = seconds_since(start);
   PatchResult result = best_candidate(situation);
+  result.seconds.choice = choice;
   result.flow = options.flow;
   result.seams_before = judge.initial_seams();
   result.mirror = mirrored.mirror;

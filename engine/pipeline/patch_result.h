@@ -34,9 +34,14 @@ struct PatchResult {
     double initial_patch = 0;
     double survey = 0;  ///< of the neighborhood, beyond the initial patch that is made beside it
     double assemble = 0, solve = 0;
+    double choice = 0;     ///< of candidates: sharp edges, outliers, what a fairing sets out from
+    double checks = 0;     ///< folds, intersections, seams, verdict of what was kept
+    double rejected = 0;   ///< attempts that were not kept
     double deviation = 0;  ///< its estimate
-    double total = 0;      ///< these, and what has no entry: looking for faults, and attempts that were not kept
-    double other() const { return std::max(0.0, total - initial_patch - survey - assemble - solve - deviation); }
+    double total = 0;
+    double other() const {
+      return std::max(0.0, total - initial_patch - survey - choice - assemble - solve - checks - rejected - deviation);
+    }
   } seconds;
   struct {
     double initial = 0, final = 0;

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-STAGES = ("initial_patch", "survey", "assemble", "solve", "expected_deviation", "other")
+STAGES = ("initial_patch", "survey", "choice", "assemble", "solve", "checks", "rejected", "expected_deviation", "other")
 
 
 def peer(source, target, report):

@@ -87,7 +87,8 @@ TEST_F(Cli, FillClosesAllHolesAndReports) {
     for (const char* key : {"number", "edges", "perimeter", "diameter", "kind", "message", "free_vertices", "steps"})
       EXPECT_TRUE(loop.contains(key)) << key;
     double sum = 0;
-    for (const char* key : {"initial_patch", "survey", "assemble", "solve", "expected_deviation", "other"}) {
+    for (const char* key : {"initial_patch", "survey", "choice", "assemble", "solve", "checks", "rejected",
+                            "expected_deviation", "other"}) {
       ASSERT_TRUE(loop["seconds"].contains(key)) << key;
       sum += loop["seconds"][key].get<double>();
     }
