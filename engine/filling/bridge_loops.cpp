@@ -324,11 +324,10 @@ std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std
     }
   std::sort(pairs.begin(), pairs.end());
   std::vector<std::pair<int, int>> rings;
-  std::set<int> joined;
+  std::set<int> seen;
   for (const auto& [width, i, j] : pairs) {
-    if (joined.contains(i) || joined.contains(j) || !ring_between(model, {loops[i], loops[j]}, coarse, cancel)) continue;
-    joined.insert({i, j});
-    rings.emplace_back(i, j);
+    const bool first_of_i = seen.insert(i).second, first_of_j = seen.insert(j).second;
+    if (first_of_i && first_of_j && ring_between(model, {loops[i], loops[j]}, coarse, cancel)) rings.emplace_back(i, j);
   }
   return rings;
 }

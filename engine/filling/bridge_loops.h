@@ -42,8 +42,8 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
 std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
                                    const CancelToken& cancel);
 
-/// Pairs of loops that such a ring joins, the narrowest first, none in two pairs; indices into `loops`. Loops that touch others are left
-/// out.
+/// Pairs of loops that such a ring joins, the narrowest first, each the nearest wall of the other; indices into `loops`. Loops that
+/// touch others are left out.
 std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                             const CancelToken& cancel);
 
