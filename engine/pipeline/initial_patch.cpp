@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/initial_patch.h"
 
+#include "core/error.h"
 #include "core/threads.h"
 #include "edges/sharp_patch.h"
 #include "mesh/by_position.h"

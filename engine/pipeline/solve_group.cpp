@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/solve_group.h"
 
+#include "core/error.h"
 #include "core/threads.h"
 #include "pipeline/bend_aside.h"
 #include "pipeline/candidates.h"

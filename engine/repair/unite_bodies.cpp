@@ -128,7 +128,8 @@ class Bodies {
       int shell, face;
     };
     std::vector<Corner> found;
-    const auto& [points, triangles] = std::tie(model_.soup.points, model_.soup.triangles);
+    const Points& points = model_.soup.points;
+    const Triangles& triangles = model_.soup.triangles;
     for (std::size_t s = 0; s < shells_.size(); ++s)
       for (int f : shells_[s].faces)
         for (int v : triangles[f])
