@@ -20,6 +20,10 @@ namespace {
 
 namespace bg = boost::geometry;
 
+/// Joined vertices lie nearer to each other than this share of the shortest boundary edge there, or a long triangle's short side would
+/// be closed by its neighbours. Edges shorter than `no_edge` of the mean are slivers.
+constexpr double share_of_shortest = 0.4, no_edge = 1e-3;
+
 /// A boundary edge of the soup, as it runs in its face.
 struct BoundaryEdge {
   int face, corner;  ///< from this corner of the face to the next
@@ -92,7 +96,7 @@ class Stitching {
 
  private:
   void find_boundary(const SurfaceModel& model) {
-    std::vector<double> sum(size_.size(), 0), count(size_.size(), 0);
+    std::vector<std::vector<double>> lengths(size_.size());
     for (const auto h : model.mesh.halfedges()) {
       if (!model.mesh.is_boundary(h)) continue;
       const auto inner = model.mesh.opposite_halfedge_handle(h);
@@ -107,18 +111,24 @@ class Stitching {
       edges_.push_back({face, corner, from, to});
       neighbors_.insert(std::minmax(from, to));
       const double length = (soup_.points[to] - soup_.points[from]).norm();
-      for (int v : {from, to}) {
-        sum[v] += length;
-        count[v] += 1;
-      }
+      for (int v : {from, to}) lengths[v].push_back(length);
     }
     std::vector<std::pair<TreePoint, int>> entries;
     for (std::size_t v = 0; v < size_.size(); ++v) {
-      if (count[v] == 0) continue;
-      size_[v] = sum[v] / count[v];
+      if (lengths[v].empty()) continue;
+      size_[v] = size_of(lengths[v]);
       entries.emplace_back(tree_point(soup_.points[v]), static_cast<int>(v));
     }
     tree_ = PointTree(entries);
+  }
+
+  /// Their mean, or less where one is so short that `tolerance_` of the mean would reach along it.
+  double size_of(const std::vector<double>& lengths) const {
+    const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
+    double shortest = mean;
+    for (double length : lengths)
+      if (length > no_edge * mean) shortest = std::min(shortest, length);
+    return tolerance_.edges > 0 ? std::min(mean, share_of_shortest / tolerance_.edges * shortest) : mean;
   }
 
   int root(int v) {
@@ -134,7 +144,8 @@ class Stitching {
     return found;
   }
 
-  /// The nearest pairs first; never two ends of one edge, nor by way of others.
+  /// The nearest pairs first; never two ends of one edge, nor by way of others, and no farther than the shortest edges of all that
+  /// are joined allow.
   void join_near_vertices() {
     std::vector<std::tuple<double, int, int>> pairs;
     for (std::size_t v = 0; v < size_.size(); ++v) {
@@ -150,7 +161,7 @@ class Stitching {
     std::map<int, std::vector<int>> members;
     for (const auto& [distance, v, w] : pairs) {
       const int a = std::min(root(v), root(w)), b = std::max(root(v), root(w));
-      if (a == b) continue;
+      if (a == b || distance > reach(std::min(size_[a], size_[b]))) continue;
       std::vector<int>&all = members[a], &more = members[b];
       if (all.empty()) all = {a};
       if (more.empty()) more = {b};
@@ -159,6 +170,7 @@ class Stitching {
       });
       if (share_an_edge) continue;
       parent_[b] = a;
+      size_[a] = std::min(size_[a], size_[b]);
       all.insert(all.end(), more.begin(), more.end());
       members.erase(b);
     }
@@ -173,15 +185,15 @@ class Stitching {
     const Vec3 &a = soup_.points[e.from], &b = soup_.points[e.to];
     const double length = (b - a).norm();
     if (!(length > 0)) return {};
-    const double end = std::min(reach(length), tolerance_.edges * length);
     const Vec3 along = (b - a) / length, box = Vec3::Constant(reach(length));
     std::map<double, int> on;
     for (int v : near(a.cwiseMin(b) - box, a.cwiseMax(b) + box)) {
       if (root(v) == root(e.from) || root(v) == root(e.to) || root(v) == root(apex)) continue;
       const Vec3 d = soup_.points[v] - a;
-      const double t = along.dot(d);
-      if (t > end && t < length - end && (d - t * along).norm() <= reach(std::min(length, size_[v])))
-        on.emplace(t, root(v));
+      // Nearer to an end it would have been joined.
+      const double t = along.dot(d), limit = reach(std::min(length, size_[v])),
+                   end = std::min(limit, tolerance_.edges * length);
+      if (t > end && t < length - end && (d - t * along).norm() <= limit) on.emplace(t, root(v));
     }
     std::vector<int> vertices;
     for (const auto& [t, v] : on)
@@ -225,7 +237,7 @@ class Stitching {
   const TriangleSoup& soup_;
   StitchTolerance tolerance_;
   std::vector<int> parent_;   // of soup points
-  std::vector<double> size_;  // mean length of the boundary edges at each; 0 where there are none
+  std::vector<double> size_;  // length of the boundary edges at each; 0 where there are none
   std::vector<BoundaryEdge> edges_;
   std::set<std::pair<int, int>> neighbors_;  // ends of boundary edges
   PointTree tree_;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -65,6 +66,48 @@ TEST(StitchBoundaries, SplitsFacesAtJunctions) {
   const auto loops = loops_of(stitched.soup);
   ASSERT_EQ(loops.size(), 1u);
   EXPECT_EQ(loops[0].edges(), 8 + 6 + 8 + 12);
+}
+
+/// Every vertex of one side lies somewhere on the edges of the other, some of them near a vertex.
+TEST(StitchBoundaries, JoinsRowsOfVerticesOfAnyNumbers) {
+  for (const auto& [rows, others] : {std::pair(13, 29), std::pair(7, 30), std::pair(24, 25), std::pair(5, 61)}) {
+    const TriangleSoup soup = joined({tile(0, 4, 4, rows, 6), tile(4, 4, 4, others, 6)});
+    const auto loops = loops_of(stitch_boundaries(make_surface_model(soup)).soup);
+    ASSERT_EQ(loops.size(), 1u) << rows << " and " << others;
+    EXPECT_EQ(loops[0].edges(), 8 + 8 + rows + others);
+  }
+}
+
+/// Triangles of their own, long in one direction: a prism whose corners differ by 1e-4 of its radius.
+TEST(StitchBoundaries, JoinsTheTrianglesOfALongThinBody) {
+  constexpr int sides = 48;
+  constexpr double length = 20;
+  const auto corner = [](int k, double z) {
+    const double angle = 2 * 3.14159265358979 * k / sides;
+    return Vec3(std::cos(angle), std::sin(angle), z);
+  };
+  std::vector<std::array<Vec3, 3>> faces;
+  for (int k = 0; k < sides; ++k) {
+    faces.push_back({corner(k, 0), corner(k + 1, 0), corner(k + 1, length)});
+    faces.push_back({corner(k, 0), corner(k + 1, length), corner(k, length)});
+    faces.push_back({Vec3(0, 0, 0), corner(k + 1, 0), corner(k, 0)});
+    faces.push_back({Vec3(0, 0, length), corner(k, length), corner(k + 1, length)});
+  }
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-1e-4, 1e-4);
+  TriangleSoup soup;
+  for (const auto& face : faces) {
+    const int first = static_cast<int>(soup.points.size());
+    for (const Vec3& p : face) soup.points.push_back(p + Vec3(noise(random), noise(random), noise(random)));
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+  EXPECT_EQ(stitched.soup.triangles.size(), faces.size());
+  EXPECT_TRUE(loops_of(stitched.soup).empty());
+  double volume = 0;
+  for (const Triangle& t : stitched.soup.triangles)
+    volume += stitched.soup.points[t[0]].dot(stitched.soup.points[t[1]].cross(stitched.soup.points[t[2]])) / 6;
+  EXPECT_NEAR(volume, sides / 2.0 * std::sin(2 * 3.14159265358979 / sides) * length, 1e-3 * length);
 }
 
 TEST(StitchBoundaries, ClosesATJunctionWhoseEndsAreSharedAlready) {
