@@ -17,26 +17,17 @@ namespace loopmend {
 
 namespace {
 
-constexpr double least_side = 1e-6;  ///< distance of the surface's middle from the loop's plane, in loop diameters
 constexpr int most_base_rows = 1000;
 
-/// Unit vector square to the loop's plane, away from the surface.
-Vec3 downward(const SurfaceModel& model, const BoundaryLoop& loop, const Message& name) {
+/// How far the connected surface of the loop reaches in a direction.
+double reach_of_part(const SurfaceModel& model, const BoundaryLoop& loop, const Vec3& direction) {
   int count = 0;
   const std::vector<int> part = parts_of_points(model, count);
   const int own = part[model.soup_vertex[loop.vertices.front()]];
-  Vec3 middle = Vec3::Zero();
-  double points = 0;
+  double reach = -std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < part.size(); ++v)
-    if (part[v] == own) {
-      middle += model.soup.points[v];
-      ++points;
-    }
-  const Vec3 axis = loop_facing(model, loop).axis;
-  const double side = (loop.center - middle / points).dot(axis);
-  if (!(std::abs(side) > least_side * loop.diameter))
-    throw InvalidArgument(say("%1: the surface lies in the plane of the loop, so that no side of it is below", name));
-  return side > 0 ? axis : Vec3(-axis);
+    if (part[v] == own) reach = std::max(reach, model.soup.points[v].dot(direction));
+  return reach;
 }
 
 void check_cuts(const TriangleSoup& soup, std::size_t given, const Message& name) {
@@ -55,15 +46,12 @@ TriangleSoup with_base(const SurfaceModel& model, const BoundaryLoop& loop, doub
   const Message name = say("base of loop %1", loop.number);
   if (!(distance > 0) || !std::isfinite(distance))
     throw InvalidArgument(say("%1: its distance must be a length above 0", name));
-  const Vec3 down = downward(model, loop, name);
+  const Vec3 down = loop_facing(model, loop).axis;  // what closes the loop faces away from the surface's back
+  if (down.isZero()) throw InvalidArgument(say("%1: the loop encloses no area", name));
   TriangleSoup soup = model.soup;
   std::vector<int> above;
-  double lowest = -std::numeric_limits<double>::infinity();
-  for (int v : loop.vertices) {
-    above.push_back(model.soup_vertex[v]);
-    lowest = std::max(lowest, soup.points[above.back()].dot(down));
-  }
-  const double plane = lowest + distance, mean = loop.center.dot(down);
+  for (int v : loop.vertices) above.push_back(model.soup_vertex[v]);
+  const double plane = reach_of_part(model, loop, down) + distance, mean = loop.center.dot(down);
   const int rows =
       std::clamp(static_cast<int>(std::lround((plane - mean) * loop.edges() / std::max(loop.perimeter, 1e-300))), 1,
                  most_base_rows);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace loopmend {
 namespace {
@@ -58,9 +59,21 @@ TEST(Base, OfAnExactTubeIsExact) {
   }
 }
 
-TEST(Base, RefusesWhatHasNoBelowAndWhatItWouldCut) {
-  const SurfaceModel sheet = make_surface_model(make_graph([](double, double) { return 0; }, 1, 8));
-  EXPECT_THROW(with_base(sheet, only_loop(sheet), 1), InvalidArgument);
+/// Under z = f over the square from -1 to 1: the volume is 4 (mean of f - lowest f + distance).
+TEST(Base, LiesBehindASheetOfAnyShape) {
+  const auto volume_under = [](const std::function<double(double, double)>& f) {
+    const SurfaceModel sheet = make_surface_model(make_graph(f, 1, 32));
+    const Watertightness found = watertightness(with_base(sheet, only_loop(sheet), 0.5));
+    EXPECT_TRUE(found.printable());
+    return found.volume;
+  };
+  EXPECT_NEAR(volume_under([](double, double) { return 0; }), 2, 1e-9);
+  EXPECT_NEAR(volume_under([](double x, double y) { return x * x - y * y; }), 4 * 1.5, 0.01);
+  EXPECT_NEAR(volume_under([](double x, double y) { return 0.4 * (x * x + y * y); }), 4 * (0.8 / 3 + 0.5), 0.01);
+  EXPECT_NEAR(volume_under([](double x, double y) { return -0.4 * (x * x + y * y); }), 4 * (0.8 - 0.8 / 3 + 0.5), 0.01);
+}
+
+TEST(Base, RefusesWhatItWouldCut) {
   const SurfaceModel dome = make_surface_model(cut(make_icosphere(3), [](const Vec3& p) { return p.z() < 0.3; }));
   EXPECT_THROW(with_base(dome, only_loop(dome), 0), InvalidArgument);
   EXPECT_THROW(with_base(dome, only_loop(dome), -1), InvalidArgument);
