@@ -32,10 +32,9 @@ constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
 /// So does a boundary that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
 /// mask, or a ragged scan seen from one side, however its boundary turns.
 constexpr double whole_extent = 0.84, sheet_depth = 0.475, straight_on = 0.9;
-/// But not one that turns as a hole does, with less than this share of its piece's area within: slots along closed parts have up
-/// to 0.12 (a rod, ellipsoids). The 11 outer rims of the shared scans that this rule finds have 0.26 and more, the two of them
-/// that turn so 0.48 and 1.4.
-constexpr double least_area_of_a_sheet = 0.2;
+/// Along a long part, a slot that turns as a hole does is measured across: a rod is open there up to 75° on both sides. The outline of a
+/// shared face (0.8 wide) turns so, too.
+constexpr double widest_slot = 0.5;
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
   Points points;
@@ -60,6 +59,7 @@ void measure(const SurfaceModel& model, BoundaryLoop& loop) {
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
   loop.planarity = loop.diameter > 0 ? std::sqrt(std::max(0.0, eigen.eigenvalues()[0])) / loop.diameter : 0;
+  loop.width = std::sqrt(8 * std::max(0.0, eigen.eigenvalues()[1]));
   loop.area = std::abs(area_vector.dot(eigen.eigenvectors().col(0)));
 }
 
@@ -154,11 +154,12 @@ bool turns_like_a_sheet(const BoundaryLoop& loop) {
 }
 
 bool runs_round_a_sheet(const BoundaryLoop& loop) {
-  const bool is_closed_but_for_it = loop.turning < 0 && loop.area < least_area_of_a_sheet * loop.area_beside;
-  return loop.extent > whole_extent && loop.depth < sheet_depth && loop.onward < straight_on && !is_closed_but_for_it;
+  const bool is_slot = loop.turning < 0 && loop.width < widest_slot * loop.diameter;
+  const double across = is_slot ? loop.width : loop.diameter;
+  return loop.extent > whole_extent && loop.depth * loop.diameter < sheet_depth * across && loop.onward < straight_on;
 }
 
-/// Fills onward, extent, depth and area_beside. The last two are measured only where they may matter.
+/// Fills onward, extent and depth. The last is measured only where it may matter.
 void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std::vector<BoundaryLoop>& loops) {
   std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>>
       at_piece;  // loops whose depth is asked for, and their axes
@@ -177,11 +178,6 @@ void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std:
     if (asked == at_piece.end()) return;
     for (const auto& [loop, axis] : asked->second)
       loop->depth = std::max(loop->depth, std::abs(axis.dot(point - loop->center)) / loop->diameter);
-  });
-  pieces.for_each_triangle([&](int piece, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto asked = at_piece.find(piece);
-    if (asked == at_piece.end()) return;
-    for (const auto& [loop, axis] : asked->second) loop->area_beside += (b - a).cross(c - a).norm() / 2;
   });
 }
 

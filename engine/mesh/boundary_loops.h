@@ -29,13 +29,13 @@ struct BoundaryLoop {
   double diameter = 0;   ///< largest distance between two loop vertices
   double planarity = 0;  ///< rms distance from the best plane, divided by the diameter: 0 is flat
   double area = 0;       ///< of the projection to the best plane
+  double width = 0;      ///< across the longest direction, as of an ellipse: the diameter of a circle
   double turning =
       0;  ///< total geodesic curvature seen from the surface, in units of 2π: −1 round hole, +1 boundary of a sheet
   Vec3 center = Vec3::Zero();  ///< mean of the loop's vertices
   double extent = 0;           ///< diagonal of the loop's box divided by that of its piece of surface
   double depth =
       0;  ///< reach of its piece from the loop's plane, in diameters; 0 where the extent rules an outline out
-  double area_beside = 0;  ///< of its piece of surface; 0 where the extent rules an outline out
   double onward = 0;       ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
   int coincident = 0;      ///< edges that lie exactly on another boundary edge, of this loop or another
   LoopKind kind = LoopKind::hole;

@@ -42,23 +42,6 @@ class Pieces {
       if (of_point_[v] >= 0) visit(of_point_[v], point(v));
   }
 
-  /// visit(piece, point, point, point) for all triangles of all pieces.
-  template <class Visit>
-  void for_each_triangle(const Visit& visit) const {
-    if (!model_.beyond) {
-      for (const auto face : model_.mesh.faces()) {
-        auto v = model_.mesh.cfv_iter(face);
-        const auto a = *v++, b = *v++, c = *v;
-        visit(of_point_[a.idx()], model_.mesh.point(a), model_.mesh.point(b), model_.mesh.point(c));
-      }
-      return;
-    }
-    for_each_soup_triangle(model_, [&](int f) {
-      const Triangle& t = model_.soup.triangles[f];
-      visit(of_point_[t[0]], model_.soup.points[t[0]], model_.soup.points[t[1]], model_.soup.points[t[2]]);
-    });
-  }
-
  private:
   const Vec3& point(std::size_t v) const;
 

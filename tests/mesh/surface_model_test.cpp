@@ -252,7 +252,7 @@ TEST(BoundaryLoops, ALongSlotInALongClosedPartIsAHole) {
     EXPECT_GT(loops.front().extent, 0.84);
     return loops.front().kind;
   };
-  for (double half_width : {0.05, 0.1, 0.3})
+  for (double half_width : {0.05, 0.1, 0.3, 0.6, 0.8})
     EXPECT_EQ(
         opened([=](const Vec3& p) { return p.x() > 0 && std::abs(p.y()) < half_width && std::abs(p.z()) < 13.5; }),
         LoopKind::hole)
