@@ -43,8 +43,7 @@ class Stitching {
 
   StitchedSurface result() {
     StitchedSurface stitched{soup_, 0, 0, 0};
-    join_near_vertices();
-    split_at_junctions(stitched);
+    split(sew().cuts, stitched);
     for (std::size_t v = 0; v < parent_.size(); ++v)
       stitched.joined_vertices += root(static_cast<int>(v)) != static_cast<int>(v);
     Triangles kept;
@@ -68,29 +67,12 @@ class Stitching {
 
   NearBoundaries counts() {
     NearBoundaries near;
-    join_near_vertices();
+    const Sewing sewing = sew();
     for (int v = 0; v < static_cast<int>(parent_.size()); ++v)
       near.vertices += root(v) != v && soup_.points[v] != soup_.points[root(v)];
-    const std::map<int, Sides> cuts = find_junctions();
-    near.faces = cuts.size();
-    std::map<std::pair<int, int>, std::vector<int>>
-        parts;  // of the edges as they will be: the edges that they come from
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const BoundaryEdge& e = edges_[k];
-      int from = root(e.from);
-      if (const auto cut = cuts.find(e.face); cut != cuts.end())
-        for (int v : cut->second[static_cast<std::size_t>(e.corner)]) {
-          parts[{from, v}].push_back(static_cast<int>(k));
-          from = v;
-        }
-      parts[{from, root(e.to)}].push_back(static_cast<int>(k));
-    }
-    std::vector<char> stays_open(edges_.size(), 0);
-    for (const auto& [part, of] : parts)
-      if (!parts.contains({part.second, part.first}))
-        for (int k : of) stays_open[static_cast<std::size_t>(k)] = 1;
+    near.faces = sewing.cuts.size();
     for (std::size_t k = 0; k < edges_.size(); ++k)
-      if (!stays_open[k]) near.closing.emplace(edges_[k].from, edges_[k].to);
+      if (sewing.open_parts[k] == 0) near.closing.emplace(edges_[k].from, edges_[k].to);
     return near;
   }
 
@@ -216,9 +198,60 @@ class Stitching {
     return cuts;
   }
 
+  /// What stitching does once vertices are joined.
+  struct Sewing {
+    std::map<int, Sides> cuts;           ///< of faces
+    std::vector<int> parts, open_parts;  ///< of each boundary edge, once its face is cut: all, and those that stay open
+  };
+
+  /// Joins vertices and cuts faces where that closes edges; elsewhere surfaces only pass each other.
+  Sewing sew() {
+    join_near_vertices();
+    Sewing sewing = sewing_of(find_junctions());
+    std::vector<char> closes(parent_.size(), 0);
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      if (sewing.open_parts[k] < sewing.parts[k]) closes[root(edges_[k].from)] = closes[root(edges_[k].to)] = 1;
+    for (const auto& [face, sides] : sewing.cuts)
+      for (const std::vector<int>& side : sides)
+        for (int v : side) closes[v] = 1;
+    std::vector<int> parent(parent_.size());
+    for (int v = 0; v < static_cast<int>(parent.size()); ++v) parent[v] = closes[root(v)] ? root(v) : v;
+    parent_ = std::move(parent);
+    return sewing_of(std::move(sewing.cuts));
+  }
+
+  /// Without the cuts that close nothing.
+  Sewing sewing_of(std::map<int, Sides> cuts) {
+    Sewing sewing{std::move(cuts), std::vector<int>(edges_.size(), 0), std::vector<int>(edges_.size(), 0)};
+    std::map<std::pair<int, int>, std::vector<int>> parts;  // the edges that they come from
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const BoundaryEdge& e = edges_[k];
+      int from = root(e.from);
+      if (const auto cut = sewing.cuts.find(e.face); cut != sewing.cuts.end())
+        for (int v : cut->second[static_cast<std::size_t>(e.corner)]) {
+          parts[{from, v}].push_back(static_cast<int>(k));
+          from = v;
+        }
+      parts[{from, root(e.to)}].push_back(static_cast<int>(k));
+    }
+    for (const auto& [part, of] : parts)
+      for (int k : of) {
+        ++sewing.parts[static_cast<std::size_t>(k)];
+        sewing.open_parts[static_cast<std::size_t>(k)] += !parts.contains({part.second, part.first});
+      }
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      if (const auto cut = sewing.cuts.find(edges_[k].face);
+          cut != sewing.cuts.end() && sewing.open_parts[k] == sewing.parts[k])
+        cut->second[static_cast<std::size_t>(edges_[k].corner)].clear();
+    std::erase_if(sewing.cuts, [](const auto& cut) {
+      return std::ranges::all_of(cut.second, [](const std::vector<int>& side) { return side.empty(); });
+    });
+    return sewing;
+  }
+
   /// A face whose boundary edges pass boundary vertices of the other side becomes several.
-  void split_at_junctions(StitchedSurface& stitched) {
-    for (const auto& [face, sides] : find_junctions()) {
+  void split(const std::map<int, Sides>& cuts, StitchedSurface& stitched) {
+    for (const auto& [face, sides] : cuts) {
       std::vector<int> polygon;
       for (std::size_t k = 0; k < 3; ++k) {
         polygon.push_back(root(soup_.triangles[face][k]));

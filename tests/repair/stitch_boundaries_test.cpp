@@ -78,6 +78,16 @@ TEST(StitchBoundaries, JoinsRowsOfVerticesOfAnyNumbers) {
   }
 }
 
+/// The boundaries of both cross the other's inside and each other: vertices come near edges by chance, and nothing closes.
+TEST(StitchBoundaries, LeavesOverlappingTilesAlone) {
+  const TriangleSoup soup = joined({tile(0, 4.1, 37, 37, 4), tile(3.3, 4.1, 41, 41, 4.07)});
+  const StitchedSurface stitched = stitch_boundaries(make_surface_model(soup));
+  EXPECT_FALSE(stitched.any());
+  EXPECT_EQ(stitched.soup.triangles, soup.triangles);
+  const NearBoundaries near = near_boundaries(make_surface_model(soup));
+  EXPECT_EQ(near.vertices + near.faces + near.closing.size(), 0U);
+}
+
 /// Triangles of their own, long in one direction: a prism whose corners differ by 1e-4 of its radius.
 TEST(StitchBoundaries, JoinsTheTrianglesOfALongThinBody) {
   constexpr int sides = 48;
