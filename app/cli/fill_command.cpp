@@ -258,7 +258,7 @@ void print_cure(std::FILE* out, const ScanPlan& scan, int wide_cracks) {
   const auto cut = count(LoopChoice::Cure::repair), split = count(LoopChoice::Cure::stitch);
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
   if (wide_cracks > 0)
-    std::fprintf(out, " %d are gaps between sides that belong together: fill again with --stitch.", wide_cracks);
+    std::fprintf(out, " %d are gaps between sides that belong together: fill again with the option named above.", wide_cracks);
   if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
   if (cut > 0)
     std::fprintf(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/edge_guide.h"
 
+#include "core/error.h"
 #include "document/targets.h"
 #include "pipeline/edge_preview.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/export_scene.h"
 
+#include "core/error.h"
 #include "mesh/scan_attributes.h"
 #include "pipeline/paste.h"
 

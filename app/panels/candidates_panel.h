@@ -16,6 +16,7 @@ class QPushButton;
 namespace loopmend {
 
 class CandidateCard;
+struct CardText;
 class HoleSelection;
 class QuietLabel;
 

@@ -9,8 +9,10 @@
 #include "pipeline/filling_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -92,13 +94,63 @@ void trim(ScanPlan& plan, const ScanJob& job) {
 /// head, which is filled, has 0.03. Those of an outer rim may be as far apart as stitching joins them: nothing is filled there.
 constexpr double crack_in_edges = 0.01;
 
+Message crack_message(int closing, const BoundaryLoop& loop) {
+  return with_cure(
+      say("crack: %1 of its %2 edges lie beside another within a tenth of their length", closing, loop.edges()),
+      say("--stitch joins them"));
+}
+
+/// Farther apart than stitching reaches by itself: two boundaries of one size in one place, whose edges all close at this tolerance.
+constexpr double wide_gap_in_edges = 0.3, closing_share = 0.9, one_place = 0.1;
+
+/// Leaves the two boundaries of such a gap: a patch over each would close both parts beside it, one on the other.
+void leave_gaps_between_parts(ScanPlan& plan) {
+  const auto may_be_side = [&](std::size_t k) {
+    const bool is_open = plan.choices[k].fill || plan.loops[k].kind == LoopKind::outer_rim;
+    return is_open && plan.choices[k].left == LoopChoice::Left::as_asked;
+  };
+  const auto agree = [&](const BoundaryLoop& a, const BoundaryLoop& b) {
+    const double reach = one_place * a.diameter;
+    return (a.center - b.center).norm() < reach && std::abs(a.diameter - b.diameter) < reach;
+  };
+  std::set<std::size_t> sides;
+  for (std::size_t k = 0; k < plan.loops.size(); ++k)  // by falling perimeter
+    for (std::size_t l = k + 1; may_be_side(k) && l < plan.loops.size(); ++l) {
+      if (plan.loops[l].perimeter < (1 - 2 * one_place) * plan.loops[k].perimeter) break;
+      if (may_be_side(l) && agree(plan.loops[k], plan.loops[l])) sides.insert({k, l});
+    }
+  const auto leave = [&](const NearBoundaries& near, const auto& why) {
+    std::set<std::size_t> closing;
+    for (const std::size_t k : sides)
+      if (closing_edges(plan.model, plan.loops[k], near) > closing_share * plan.loops[k].edges()) closing.insert(k);
+    for (const std::size_t k : closing) {
+      if (closing.size() < 2) break;
+      sides.erase(k);
+      plan.choices[k].fill = false;
+      plan.choices[k].left = LoopChoice::Left::wide_crack;
+      plan.choices[k].why_not = why(plan.loops[k]).with_code("wide_crack");
+    }
+  };
+  if (!sides.empty())
+    leave(plan.coincident, [&](const BoundaryLoop& loop) {
+      return crack_message(closing_edges(plan.model, loop, plan.coincident), loop);
+    });
+  if (!sides.empty())
+    leave(near_boundaries(plan.model, {wide_gap_in_edges, std::nullopt}), [](const BoundaryLoop&) {
+      return with_cure(say("gap: another boundary lies beside it within 30 % of its edges' length"),
+                       say("--stitch 30% joins them"));
+    });
+}
+
 /// Leaves loops without a name of which --stitch would close more than half: a patch between sides that nearly touch would cross
 /// them.
 void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
   const bool named = job.loops.names_loops();
   if (plan.loops.empty() || job.prepare.stitch == PrepareOptions::Stitch::yes) return;
   plan.coincident = near_boundaries(plan.model);
-  if (plan.coincident.closing.empty() || named) return;
+  if (named) return;
+  leave_gaps_between_parts(plan);
+  if (plan.coincident.closing.empty()) return;
   const NearBoundaries nearest = near_boundaries(plan.model, {crack_in_edges, std::nullopt});
   for (std::size_t k = 0; k < plan.loops.size(); ++k) {
     const BoundaryLoop& loop = plan.loops[k];
@@ -109,10 +161,7 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
     if (2 * closing <= loop.edges()) continue;
     choice.fill = false;
     choice.left = LoopChoice::Left::wide_crack;
-    choice.why_not = with_cure(say("crack: %1 of its %2 edges lie beside another within a tenth of their length",
-                                   closing, loop.edges()),
-                               say("--stitch joins them"))
-                         .with_code("wide_crack");
+    choice.why_not = crack_message(closing, loop).with_code("wide_crack");
   }
 }
 

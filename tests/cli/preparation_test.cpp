@@ -93,6 +93,19 @@ TEST_F(PreparationCommands, WiderCracksNameStitchAndNothingThatRemovesFaces) {
   EXPECT_EQ(written().open_edges, 0U);
 }
 
+/// Two halves of a ball, open at the poles too. Their gap is wider than --stitch reaches by itself.
+TEST_F(PreparationCommands, AGapBetweenTwoHalvesNamesItsTolerance) {
+  const auto radius = [](double z) { return std::sqrt(1 - z * z); };
+  TriangleSoup upper = make_revolution(radius, 0, 0.95, 48, 12);  // edges of 0.13 at the equator
+  for (Vec3& p : upper.points) p.z() += 0.03;
+  write("a.ply", joined({make_revolution(radius, -0.95, 0, 48, 12), upper}));
+  const Outcome run = fill("a.ply");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("--stitch 30% joins them"), HasSubstr("2 filled")));
+  EXPECT_EQ(fill("a.ply", "--stitch 30%").code, 0);
+  EXPECT_EQ(written().open_edges, 0U);
+}
+
 TEST_F(PreparationCommands, StitchTakesATolerance) {
   write("a.ply", torn(0.01));  // edges of 0.15
   const auto is_closed = [&](const std::string& options) {
