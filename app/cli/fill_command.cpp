@@ -183,7 +183,7 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
                      .c_str());
   if (counts.united.crossing_parts > 0)
     std::fprintf(
-        out, "%s after rounding: --cut-intersections removes them.\n",
+        out, "%s by the rounding of their corners; the body is closed.\n",
         counted(counts.united.crossing_parts, "pair of new faces crosses", "pairs of new faces cross").c_str());
 }
 
@@ -258,7 +258,8 @@ void print_cure(std::FILE* out, const ScanPlan& scan, int wide_cracks) {
   const auto cut = count(LoopChoice::Cure::repair), split = count(LoopChoice::Cure::stitch);
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
   if (wide_cracks > 0)
-    std::fprintf(out, " %d are gaps between sides that belong together: fill again with the option named above.", wide_cracks);
+    std::fprintf(out, " %d are gaps between sides that belong together: fill again with the option named above.",
+                 wide_cracks);
   if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
   if (cut > 0)
     std::fprintf(
@@ -430,8 +431,7 @@ int run_fill(const FillCommand& command) {
   const bool stopped = cancel.cancelled();
   Outcome outcome = outcome_of(results, scan.choices);
   if (scan.done.repaired) {
-    const UnionCounts& united = scan.done.repaired->united;
-    outcome.apart = united.left() + united.crossing_parts;
+    outcome.apart = scan.done.repaired->united.left();
   }
   WriteScanOptions options = command.write;
   if (command.deviations == FillCommand::Deviations::written) options.expected_deviation = expected_deviations(results);

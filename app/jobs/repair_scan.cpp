@@ -97,7 +97,7 @@ QString bodies_left(const UnionCounts& united) {
     left << FillController::tr("%Ln pair(s) of overlapping bodies have no union and were left: move or part them.",
                                nullptr, n(united.refused));
   if (united.crossing_parts > 0)
-    left << FillController::tr("%Ln pair(s) of new faces cross after rounding: cut out faces that intersect others.",
+    left << FillController::tr("%Ln pair(s) of new faces cross by the rounding of their corners; the body is closed.",
                                nullptr, n(united.crossing_parts));
   return left.join(QLatin1Char(' '));
 }
