@@ -6,6 +6,7 @@
 #include "mesh/rounding_cracks.h"
 #include "pipeline/hand_bridge.h"
 #include "repair/base.h"
+#include "repair/inverted_shells.h"
 
 #include <algorithm>
 #include <charconv>
@@ -30,9 +31,14 @@ TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
   }
 }
 
-bool has_cuts(const SurfaceModel& model) {
+/// What --auto repairs.
+std::set<Defect> repairs_needed(const SurfaceModel& model) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; });
+  if (std::ranges::any_of(loops, [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; }))
+    return harmless_repairs;
+  if (model.repairs.duplicate_faces > 0 || find_inverted_shells(model, loops).closed > 0)
+    return {Defect::duplicate_faces, Defect::non_manifold};
+  return {};
 }
 
 bool has_sides_to_join(const SurfaceModel& model) {
@@ -170,7 +176,7 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     replace(std::move(done.stitched->soup));
     if (where_needed && !done.stitched->any()) done.stitched.reset();
   }
-  if (where_needed && has_cuts(model)) options.repair.insert(harmless_repairs.begin(), harmless_repairs.end());
+  if (where_needed) options.repair.merge(repairs_needed(model));
   if (!options.repair.empty()) {
     RepairedSurface repaired = repair_surface(as_read(model), options.repair, cancel);
     done.repaired = repaired.counts;
