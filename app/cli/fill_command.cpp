@@ -430,9 +430,7 @@ int run_fill(const FillCommand& command) {
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
   const bool stopped = cancel.cancelled();
   Outcome outcome = outcome_of(results, scan.choices);
-  if (scan.done.repaired) {
-    outcome.apart = scan.done.repaired->united.left();
-  }
+  if (scan.done.repaired) outcome.apart = scan.done.repaired->united.left();
   WriteScanOptions options = command.write;
   if (command.deviations == FillCommand::Deviations::written) options.expected_deviation = expected_deviations(results);
   std::size_t exterior = scan.given.points;
