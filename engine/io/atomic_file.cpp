@@ -49,20 +49,18 @@ struct KnownFile {
 std::array<KnownFile, 128> known_files;
 static_assert(std::atomic<int>::is_always_lock_free);
 
-/// Keeps one path in the list while it lives. With the list full, or a path too long, it does nothing.
+/// Keeps one path in the list while it lives, if need be in place of a file that is written. With a path too long, or all others
+/// unfinished, it does nothing.
 class Registration {
  public:
   Registration(const std::string& path, const std::string& target, KnownFile::State state = KnownFile::unfinished) {
     if (path.size() >= longest_path || target.size() >= longest_path) return;
-    for (KnownFile& file : known_files) {
-      int expected = KnownFile::unused;
-      if (!file.state.compare_exchange_strong(expected, KnownFile::being_named)) continue;
-      std::memcpy(file.path.data(), path.c_str(), path.size() + 1);
-      std::memcpy(file.target.data(), target.c_str(), target.size() + 1);
-      file.state.store(state);
-      file_ = &file;
-      return;
-    }
+    file_ = taken(KnownFile::unused);
+    if (file_ == nullptr) file_ = taken(KnownFile::in_place);
+    if (file_ == nullptr) return;
+    std::memcpy(file_->path.data(), path.c_str(), path.size() + 1);
+    std::memcpy(file_->target.data(), target.c_str(), target.size() + 1);
+    file_->state.store(state);
   }
   ~Registration() {
     if (file_ != nullptr) file_->state.store(KnownFile::unused);
@@ -73,10 +71,16 @@ class Registration {
   void become(KnownFile::State state) {
     if (file_ != nullptr) file_->state.store(state);
   }
-  /// The entry stays in the list to the end of the process.
+  /// The entry stays in the list until its place is needed.
   void keep() { file_ = nullptr; }
 
  private:
+  static KnownFile* taken(KnownFile::State from) {
+    for (KnownFile& file : known_files)
+      if (int expected = from; file.state.compare_exchange_strong(expected, KnownFile::being_named)) return &file;
+    return nullptr;
+  }
+
   KnownFile* file_ = nullptr;
 };
 

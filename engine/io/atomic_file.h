@@ -44,7 +44,7 @@ class OutputTransaction {
 };
 
 /// The k-th target that a transaction of this process has put in place, as it was given to add(); null beyond the last.
-/// For programs that say in the end, also on a signal, what they wrote. Knows the first 128.
+/// For programs that say in the end, also on a signal, what they wrote. Knows up to 128.
 const char* file_in_place(std::size_t k) noexcept;
 
 /// True if both names mean one file, whether it is there already or not: hard and symbolic links, ./x and x.
