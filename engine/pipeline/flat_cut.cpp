@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -33,7 +34,8 @@ constexpr double least_steep_edge = 0.15;
 /// and on tubes and balls with noise up to 1 % of their size.
 constexpr double least_of_a_dome = 0.6, most_of_a_dome = 1.4;
 constexpr double least_that_agrees = 0.25, most_that_agrees = 2, agreeing_share = 0.6;
-constexpr double reach_of_fit = 0.3;  ///< in loop radii; at least so many boundary edges, up to the radius:
+constexpr double most_of_a_straight_wall = 0.3;  ///< half of the least of a dome
+constexpr double reach_of_fit = 0.3;             ///< in loop radii; at least so many boundary edges, up to the radius:
 constexpr double edges_of_fit = 4;
 constexpr int fewest_samples = 8;
 constexpr std::size_t most_fits = 200;
@@ -73,23 +75,59 @@ class Profiles {
     return profile;
   }
 
+  /// Sums over the faces behind one loop vertex, up to half the reach, since a low wall may end beyond: of the angle between face and axis, over their distance behind the loop's plane.
+  struct Turning {
+    double covariance = 0, variance = 0;
+  };
+  double steepness_of_face(std::size_t k) const { return facing_.conormals[k].dot(axis_); }
+  Turning turning_at(std::size_t k) const {
+    const Vec3 p = mesh_.point(TriMesh::VertexHandle(loop_.vertices[k]));
+    std::set<int> faces;
+    for (const int v : within(reach_ / 2, loop_.vertices[k], p))
+      for (const auto f : mesh_.vf_range(TriMesh::VertexHandle(v))) faces.insert(f.idx());
+    double weight = 0, mean_back = 0, mean_angle = 0;
+    Turning turning;
+    for (const int f : faces) {
+      std::array<Vec3, 3> corner;
+      std::size_t c = 0;
+      for (const auto v : mesh_.fv_range(TriMesh::FaceHandle(f))) corner[c++] = mesh_.point(v);
+      const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+      const double area = normal.norm();
+      if (!(area > 0)) continue;
+      const double back = axis_.dot(p - (corner[0] + corner[1] + corner[2]) / 3);
+      const double angle = std::asin(std::clamp(axis_.dot(normal) / area, -1.0, 1.0));
+      weight += area;
+      const double old_back = back - mean_back, old_angle = angle - mean_angle;
+      mean_back += area / weight * old_back;
+      mean_angle += area / weight * old_angle;
+      turning.covariance += area * old_back * (angle - mean_angle);
+      turning.variance += area * old_back * (back - mean_back);
+    }
+    return turning;
+  }
+
  private:
+  /// Vertices that are joined to this one within a distance of p, itself among them.
+  std::vector<int> within(double reach, int v, const Vec3& p) const {
+    std::vector<int> queue{v};
+    std::set<int> seen{v};
+    for (std::size_t q = 0; q < queue.size(); ++q)
+      for (const auto w : mesh_.vv_range(TriMesh::VertexHandle(queue[q])))
+        if ((mesh_.point(w) - p).norm() <= reach && seen.insert(w.idx()).second) queue.push_back(w.idx());
+    return queue;
+  }
+
   /// Points within reach, and within 45 degrees of straight back, as (axis, inward, aside) from p in units of the reach.
   std::vector<Vec3> behind(int v, const Vec3& p, const Vec3& inward, const Eigen::Vector2d& onward) const {
     const Vec3 aside = axis_.cross(inward);
     std::vector<Vec3> samples;
-    std::vector<int> queue{v};
-    std::set<int> seen{v};
-    for (std::size_t q = 0; q < queue.size(); ++q)
-      for (const auto w : mesh_.vv_range(TriMesh::VertexHandle(queue[q]))) {
-        const Vec3 d = mesh_.point(w) - p;
-        if (d.norm() > reach_ || !seen.insert(w.idx()).second) continue;
-        queue.push_back(w.idx());
-        const Vec3 sample(d.dot(axis_), d.dot(inward), d.dot(aside));
-        const double back = -sample.head<2>().dot(onward);
-        if (back > 0 && std::hypot(sample.z(), sample.x() * onward.y() - sample.y() * onward.x()) <= back)
-          samples.push_back(sample / reach_);
-      }
+    for (const int w : within(reach_, v, p)) {
+      const Vec3 d = mesh_.point(TriMesh::VertexHandle(w)) - p;
+      const Vec3 sample(d.dot(axis_), d.dot(inward), d.dot(aside));
+      const double back = -sample.head<2>().dot(onward);
+      if (back > 0 && std::hypot(sample.z(), sample.x() * onward.y() - sample.y() * onward.x()) <= back)
+        samples.push_back(sample / reach_);
+    }
     return samples;
   }
 
@@ -154,12 +192,17 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   const LoopFacing facing = loop_facing(model, loop);
   if (facing.axis.isZero()) return LoopEnd::runs_on;
   const Profiles profiles(model, loop, facing);
-  std::vector<double> steepness, curvatures;
+  std::vector<double> steepness, curvatures, steepness_of_faces;
+  Profiles::Turning turning;
   const std::size_t stride = 1 + loop.vertices.size() / most_fits;
   for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
     const Profile profile = profiles.at(k);
     steepness.push_back(profile.steepness);
     if (profile.curvature) curvatures.push_back(*profile.curvature);
+    steepness_of_faces.push_back(profiles.steepness_of_face(k));
+    const Profiles::Turning at_vertex = profiles.turning_at(k);
+    turning.covariance += at_vertex.covariance;
+    turning.variance += at_vertex.variance;
   }
   // Without profiles the wall is known by single faces only, as of a coarse box: it has to stand upright on a flat loop.
   const bool known = 2 * curvatures.size() >= steepness.size();
@@ -168,6 +211,12 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   if (!known && (!flat || usual < upright)) return LoopEnd::runs_on;
   for (double& curvature : curvatures) curvature *= facing.radius / usual;  // of that of a ball
   if (flat && loop.planarity <= exact_planarity && rounds_into_plane(usual, curvatures)) return LoopEnd::flat;
+  // Corners and the loop's own roundness bend the fits of profiles, but not the angle between faces and axis.
+  const double share_of_a_ball =
+      turning.variance > 0 ? std::abs(turning.covariance / turning.variance) * facing.radius : 0;
+  if (loop.planarity <= exact_planarity && median(steepness_of_faces) >= upright &&
+      share_of_a_ball < most_of_a_straight_wall)
+    return LoopEnd::flat;
   if (usual < steep || quantile(steepness, torn_share) < still_steep || is_dome(curvatures)) return LoopEnd::runs_on;
   const bool is_hole_in_a_hill =
       loop.kind != LoopKind::outer_rim && loop.planarity > plane_cut && usual < steep_if_not_plane;

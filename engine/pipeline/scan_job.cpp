@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/system_memory.h"
 #include "filling/bridge_loops.h"
+#include "mesh/loop_facing.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/filling_view.h"
@@ -103,6 +104,22 @@ Message crack_message(int closing, const BoundaryLoop& loop) {
 /// Farther apart than stitching reaches by itself: two boundaries of one size in one place, whose edges all close at this tolerance.
 constexpr double wide_gap_in_edges = 0.3, closing_share = 0.9, one_place = 0.1;
 
+/// Whether the surface beyond a loop would meet the other one: the ends of a short tube run on away from each other.
+bool runs_on_towards(const SurfaceModel& model, const BoundaryLoop& loop, const BoundaryLoop& other) {
+  const LoopFacing facing = loop_facing(model, loop);
+  std::size_t towards = 0;
+  for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+    const Vec3& p = model.mesh.point(TriMesh::VertexHandle(loop.vertices[k]));
+    Vec3 nearest = Vec3::Constant(std::numeric_limits<double>::infinity());
+    for (const int v : other.vertices) {
+      const Vec3 d = model.mesh.point(TriMesh::VertexHandle(v)) - p;
+      if (!(d.squaredNorm() >= nearest.squaredNorm())) nearest = d;
+    }
+    towards += nearest.dot(facing.conormals[k]) > 0;
+  }
+  return 2 * towards > loop.vertices.size();
+}
+
 /// Leaves the two boundaries of such a gap: a patch over each would close both parts beside it, one on the other.
 void leave_gaps_between_parts(ScanPlan& plan) {
   const auto may_be_side = [&](std::size_t k) {
@@ -111,7 +128,8 @@ void leave_gaps_between_parts(ScanPlan& plan) {
   };
   const auto agree = [&](const BoundaryLoop& a, const BoundaryLoop& b) {
     const double reach = one_place * a.diameter;
-    return (a.center - b.center).norm() < reach && std::abs(a.diameter - b.diameter) < reach;
+    return (a.center - b.center).norm() < reach && std::abs(a.diameter - b.diameter) < reach &&
+           runs_on_towards(plan.model, a, b) && runs_on_towards(plan.model, b, a);
   };
   std::set<std::size_t> sides;
   for (std::size_t k = 0; k < plan.loops.size(); ++k)  // by falling perimeter

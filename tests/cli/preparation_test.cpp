@@ -104,6 +104,9 @@ TEST_F(PreparationCommands, AGapBetweenTwoHalvesNamesItsTolerance) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("--stitch 30% joins them"), HasSubstr("2 filled")));
   EXPECT_EQ(fill("a.ply", "--stitch 30%").code, 0);
   EXPECT_EQ(written().open_edges, 0U);
+  // The ends of a short tube are as near to each other, and each is a hole.
+  write("b.ply", make_revolution([](double) { return 1.0; }, 0, 0.1, 12, 1));
+  EXPECT_THAT(fill("b.ply").out, HasSubstr("2 filled"));
 }
 
 TEST_F(PreparationCommands, StitchTakesATolerance) {

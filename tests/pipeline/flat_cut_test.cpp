@@ -5,6 +5,7 @@
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
 #include "support/mirror_models.h"
+#include "support/sharp_surfaces.h"
 
 #include <Eigen/Geometry>
 
@@ -34,6 +35,30 @@ TEST(FlatCut, IsTheEndOfATubeAndOfACone) {
   EXPECT_EQ(loop_end(cone, upper(cone)), LoopEnd::flat);
   const SurfaceModel bell = open_above([](double z) { return 1 + 0.05 * z * z; }, 3);
   EXPECT_EQ(loop_end(bell, upper(bell)), LoopEnd::flat);
+}
+
+/// Corners, and rows so wide that a wall has only two or three of them.
+TEST(FlatCut, IsTheTopOfAnOpenBoxAndTheEndOfAFewRows) {
+  for (const int cells : {4, 8})
+    for (const double width : {0.5, 1.1, 2.5})
+      for (const double height : {0.4, 0.94, 2.0}) {
+        TriangleSoup box = test::make_cube(cells);
+        double top = 0;
+        for (const Vec3& p : box.points) top = std::max(top, p.z());
+        box = cut(box, [=](const Vec3& p) { return p.z() > top * (1 - 1e-9); });
+        for (Vec3& p : box.points) p = Vec3(2 * p.x(), width * p.y(), height * p.z());
+        const SurfaceModel model = make_surface_model(box);
+        const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+        ASSERT_EQ(loops.size(), 1U);
+        EXPECT_EQ(loop_end(model, loops[0]), LoopEnd::flat) << cells << ' ' << width << ' ' << height;
+      }
+  for (const int rows : {1, 2, 3})
+    for (const int around : {12, 24, 32, 64})
+      for (const double height : {0.1, 0.3, 0.5, 1.0}) {
+        const SurfaceModel tube =
+            make_surface_model(make_revolution([](double) { return 1.0; }, 0, height, around, rows));
+        EXPECT_EQ(loop_end(tube, upper(tube)), LoopEnd::flat) << rows << ' ' << around << ' ' << height;
+      }
 }
 
 TEST(FlatCut, IsNotWhatIsMissingOfABallOrInAPlane) {
