@@ -86,6 +86,36 @@ TEST(FlatCut, IsNotTheTopOfABump) {
   }
 }
 
+/// However far from plane an upright wall ends, it is closed between its lowest and its highest vertex, as minimal surfaces are.
+TEST(FlatCut, IsNoDomeOverWavyEnds) {
+  for (const double planarity : {0.01, 0.029, 0.0300001, 0.035, 0.05})
+    for (const int waves : {2, 3}) {
+      SurfaceModel tube = open_above([](double) { return 1.0; }, 3);
+      for (Vec3& p : tube.soup.points) {  // rms of a wave: its amplitude over sqrt(2); the diameter is 2
+        const double wave = planarity * 2 * std::sqrt(2) * std::cos(waves * std::atan2(p.y(), p.x()));
+        p.z() += wave * p.z() / 3;
+      }
+      tube = make_surface_model(tube.soup);
+      const BoundaryLoop end = upper(tube);
+      ASSERT_NEAR(end.planarity, planarity, 0.05 * planarity);
+      EXPECT_EQ(loop_end(tube, end), planarity < 0.0305 ? LoopEnd::flat : LoopEnd::curved) << planarity;
+      double highest = 0, lowest = 3;
+      for (const int v : end.vertices) {
+        highest = std::max(highest, tube.soup.points[v].z());
+        lowest = std::min(lowest, tube.soup.points[v].z());
+      }
+      const std::size_t before = tube.soup.points.size();
+      fill_all_holes(tube);
+      ASSERT_GT(tube.soup.points.size(), before + 100);
+      for (std::size_t v = before; v < tube.soup.points.size(); ++v) {
+        const double z = tube.soup.points[v].z();
+        if (z < 1.5) continue;  // the other end
+        EXPECT_LE(z, highest + 1e-6) << planarity;
+        EXPECT_GE(z, lowest - 1e-6) << planarity;
+      }
+    }
+}
+
 TEST(FlatCut, IsClosedByAPlane) {
   SurfaceModel tube = open_above([](double) { return 1.0; }, 3);
   const std::size_t before = tube.soup.points.size();
