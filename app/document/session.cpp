@@ -18,7 +18,7 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 11;  ///< no other one is read
+constexpr qint32 format_version = 12;  ///< no other one is read
 
 using Writer = SessionWriter;
 using Reader = SessionReader;

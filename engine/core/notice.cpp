@@ -35,6 +35,7 @@ const char* to_string(NoticeCode code) {
     case NoticeCode::curvature_torn: return "curvature_torn";
     case NoticeCode::initial_patch_kept: return "initial_patch_kept";
     case NoticeCode::crease: return "crease";
+    case NoticeCode::bent_inside: return "bent_inside";
     case NoticeCode::seam_worse: return "seam_worse";
     case NoticeCode::high_over_loop: return "high_over_loop";
     case NoticeCode::likely_far: return "likely_far";
@@ -77,6 +78,7 @@ Message sentence(const Notice& notice) {
     case NoticeCode::crease:
       return std::lround(number(1)) == 1 ? say("a crease of %1° along 1 edge of the seam", whole)
                                          : say("a crease of %1° along %2 edges of the seam", whole, rounded(number(1)));
+    case NoticeCode::bent_inside: return say("edges inside the patch bend by %1° along %2 diameters", whole, more);
     case NoticeCode::seam_worse:
       return say("the seam bends by %1° (rms), in the initial patch by %2°", whole, rounded(number(1)));
     case NoticeCode::high_over_loop:

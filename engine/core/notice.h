@@ -21,6 +21,7 @@ enum class NoticeCode {
   curvature_torn,       ///< jump of H × diameter, the same before
   initial_patch_kept,   ///< none
   crease,               ///< bend of the seam edges, number of these
+  bent_inside,          ///< mean bend of edges inside the patch, their length in loop diameters
   seam_worse,           ///< rms angle at the seam, the same in the initial patch
   high_over_loop,       ///< height, height of a ball through the seam
   likely_far,           ///< likely distance from what was there

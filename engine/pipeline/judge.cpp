@@ -30,6 +30,9 @@ constexpr double torn_jump = 20, torn_jump_ratio = 8;
 /// tests/bench/other_programs.py cuts with seed 58), the one farthest from the truth beside other programs among them. Of 228 holes in 23
 /// other models (CGAL's) 12 are beyond, 8 of them farther from the truth than the initial patch; of the remaining 216 it is 35.
 constexpr double worse_ratio = 1.2, worse_deg = 2;
+/// Knobs and creases inside a patch: edges that bend by so much, and by so much more than 19 of 20 edges of the scan around, and
+/// are so long together, in diameters of the loop.
+constexpr double bent_deg = 45, bent_more_deg = 15, bent_length = 0.5;
 constexpr double flat_height = 0.05;  ///< of a cap over a flat loop, beyond the loop itself
 /// Heights beyond these, and beyond what a ball through the seam would reach.
 constexpr double notable_height = 0.25, notable_ratio = 2;
@@ -41,7 +44,13 @@ double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) 
 
 /// All bends of a patch, by place.
 struct Bends {
+  struct Edge {
+    int triangle;
+    double angle, length;  ///< degrees, units of the patch
+  };
+
   std::map<std::pair<int, int>, double> seam;  ///< degrees, by edge
+  std::vector<Edge> inside;                    ///< between two triangles of the patch, where they are bent
   std::vector<int> folds;                      ///< triangles beside a fold, one of each
   double usual = 0;                            ///< what 19 of 20 edges of the scan around stay below, degrees
 
@@ -53,7 +62,10 @@ struct Bends {
         around.push_back(angle);
         continue;
       }
-      if (bend.other >= patch.patch_triangles) seam[{bend.low, bend.high}] = angle;
+      if (bend.other >= patch.patch_triangles)
+        seam[{bend.low, bend.high}] = angle;
+      else if (angle > bent_deg)
+        inside.push_back({bend.face, angle, (patch.positions[bend.high] - patch.positions[bend.low]).norm()});
       if (angle > fold_deg) folds.push_back(bend.face);
     }
     usual = quantile(std::move(around), 0.95);
@@ -61,6 +73,7 @@ struct Bends {
 
   /// Above it a person sees a crease.
   double most_at_seam() const { return std::max(crease_deg, usual + crease_more_deg); }
+  double most_inside() const { return std::max(bent_deg, usual + bent_more_deg); }
   double at(int a, int b) const {
     const auto found = seam.find(std::minmax(a, b));
     return found == seam.end() ? 0 : found->second;
@@ -216,6 +229,12 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
           std::abs(place.axis.dot(patch.positions[v] - place.center)) / place.diameter - place.own_height;
       verdicts[loop_of[f]].height = std::max(verdicts[loop_of[f]].height, height);
     }
+  std::vector<double> lengths(patch.loops.size()), angles(patch.loops.size());
+  for (const Bends::Edge& edge : bends.inside)
+    if (edge.angle > bends.most_inside()) {
+      lengths[loop_of[edge.triangle]] += edge.length;
+      angles[loop_of[edge.triangle]] += edge.length * edge.angle;
+    }
   const std::vector<Proportion> proportions = proportions_of(patch, initial_);
   for (std::size_t l = 0; l < patch.loops.size(); ++l) {
     Verdict& verdict = verdicts[l];
@@ -231,6 +250,7 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
     judge_height(l, verdict);
     judge_seam(l, bends.along(patch.loops[l]), bends.most_at_seam(), verdict);
     judge_curvature(l, seams, verdict);
+    judge_inside(l, lengths[l], angles[l], verdict);
     std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
                      [](const Notice& a, const Notice& b) { return a.code < b.code; });
   }
@@ -266,6 +286,12 @@ void Judge::judge_curvature(std::size_t l, const std::vector<SeamReport>& seams,
   const double now = seams[l].h_jump_rms_times_diameter, before = initial_seams_[l].h_jump_rms_times_diameter;
   if (now > std::max(torn_jump, torn_jump_ratio * before))
     add(verdict, Grade::bad, {NoticeCode::curvature_torn, {now, before}});
+}
+
+void Judge::judge_inside(std::size_t l, double length, double angle_times_length, Verdict& verdict) const {
+  if (creases_ == Creases::asked_for || ends_at(l) || !expected_creases_.empty()) return;
+  if (length > bent_length * places_[l].diameter)
+    add(verdict, Grade::look, {NoticeCode::bent_inside, {angle_times_length / length, length / places_[l].diameter}});
 }
 
 void Judge::judge_height(std::size_t l, Verdict& verdict) const {
