@@ -111,7 +111,7 @@ bool run_once(const AttemptContext& context, const Patch& start, const Evolution
     add_message(result, bent_message());
   }
   result.verdicts = context.judge(result.patch, result.validity, result.seams);
-  const bool spoilt = faults(result.verdicts)[0] + faults(result.verdicts)[1] > 0;
+  const bool spoilt = faults(result.verdicts).crossings + faults(result.verdicts).folds > 0;
   if (spoilt && evolution.method() == Method::split_flow && !context.clean_neighborhood)
     take_rolled_back(context, faired, evolution, result);
   open_folds(context, options.flow, result);
@@ -134,7 +134,7 @@ void take_patch(const AttemptContext& context, const Judge& judge, FlowKind flow
 }
 
 void open_folds(const AttemptContext& context, FlowKind flow, PatchResult& result) {
-  if (faults(result.verdicts)[1] == 0) return;
+  if (faults(result.verdicts).folds == 0) return;
   Patch patch = result.patch;
   if (!unfold(patch, unfolded_deg, context.cancel)) return;
   Validity validity = validate(context.problem.scan, patch);

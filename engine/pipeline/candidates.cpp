@@ -175,8 +175,8 @@ const Candidate candidates[] = {
 /// folds or crosses is passed over.
 bool is_kept(const Situation& s, const PatchResult& result) {
   if (is_judged(s.options)) return worst(result.verdicts) != Grade::bad;
-  const std::array<int, 3> found = faults(result.verdicts);
-  return found[0] == 0 && found[1] == 0;
+  const Faults found = faults(result.verdicts);
+  return found.crossings == 0 && found.folds == 0;
 }
 
 /// "split flow: 3 edges are folded by more than 150°".

@@ -51,7 +51,8 @@ struct Bends {
 
   std::map<std::pair<int, int>, double> seam;  ///< degrees, by edge
   std::vector<Edge> inside;                    ///< between two triangles of the patch, where they are bent
-  std::vector<int> folds;                      ///< triangles beside a fold, one of each
+  std::vector<int> folds;                      ///< triangles of the patch beside a fold inside, one of each
+  std::vector<int> folds_at_seam;              ///< the same beside a fold of a seam edge
   double usual = 0;                            ///< what 19 of 20 edges of the scan around stay below, degrees
 
   explicit Bends(const Patch& patch) {
@@ -66,7 +67,7 @@ struct Bends {
         seam[{bend.low, bend.high}] = angle;
       else if (angle > bent_deg)
         inside.push_back({bend.face, angle, (patch.positions[bend.high] - patch.positions[bend.low]).norm()});
-      if (angle > fold_deg) folds.push_back(bend.face);
+      if (angle > fold_deg) (bend.other >= patch.patch_triangles ? folds_at_seam : folds).push_back(bend.face);
     }
     usual = quantile(std::move(around), 0.95);
   }
@@ -175,7 +176,7 @@ std::optional<SeamBend> bend_without_finding(const Patch& patch) {
   std::vector<double> seam;
   for (const auto& [edge, angle] : bends.seam) seam.push_back(angle);
   const double largest = seam.empty() ? 0 : *std::ranges::max_element(seam);
-  if (!bends.folds.empty() || largest > bends.most_at_seam()) return std::nullopt;
+  if (!bends.folds.empty() || !bends.folds_at_seam.empty() || largest > bends.most_at_seam()) return std::nullopt;
   return SeamBend{largest, crease_of(seam, seam.size())};
 }
 
@@ -192,12 +193,13 @@ Grade worst(const std::vector<Verdict>& verdicts) {
   return grade;
 }
 
-std::array<int, 3> faults(const std::vector<Verdict>& verdicts) {
-  std::array<int, 3> sum{};
+Faults faults(const std::vector<Verdict>& verdicts) {
+  Faults sum;
   for (const Verdict& verdict : verdicts) {
-    sum[0] += verdict.crossings;
-    sum[1] += verdict.folds;
-    sum[2] += verdict.grade == Grade::bad;
+    sum.crossings += verdict.crossings;
+    sum.domes += static_cast<int>(std::ranges::count(verdict.findings, NoticeCode::dome_over_flat_loop, &Notice::code));
+    sum.folds += verdict.folds;
+    sum.bad += verdict.grade == Grade::bad;
   }
   return sum;
 }
@@ -220,6 +222,10 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
   if (verdicts.empty()) return verdicts;
   const Bends bends(patch);
   const std::vector<int> loop_of = loop_of_triangles(patch);
+  for (int f : bends.folds_at_seam) ++verdicts[loop_of[f]].folds;
+  // A cap over a cut cannot help where a sliver of the scan turns away at its seam.
+  for (std::size_t l = 0; l < patch.loops.size(); ++l)
+    if (ends_at(l) && verdicts[l].folds < Run::edges_of(torn_seam_share, patch.loops[l].size())) verdicts[l].folds = 0;
   for (int f : bends.folds) ++verdicts[loop_of[f]].folds;
   for (int f = 0; f < patch.patch_triangles; ++f)
     for (int v : patch.triangles[f]) {

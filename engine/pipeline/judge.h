@@ -12,7 +12,6 @@
 #include "pipeline/proportion.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -110,7 +109,13 @@ void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std
 /// The worst of them; good where there are none.
 Grade worst(const std::vector<Verdict>& verdicts);
 
-/// How serious the hard faults are: crossings, folds, then others. Less is better; all zero where no verdict is bad.
-std::array<int, 3> faults(const std::vector<Verdict>& verdicts);
+/// How serious the hard faults of some verdicts are, the worst first: less is better.
+struct Faults {
+  int crossings = 0, domes = 0, folds = 0;  ///< of all loops; domes over flat loops
+  int bad = 0;                              ///< loops with any fault
+
+  auto operator<=>(const Faults&) const = default;
+};
+Faults faults(const std::vector<Verdict>& verdicts);
 
 }  // namespace loopmend

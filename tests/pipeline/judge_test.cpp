@@ -118,6 +118,50 @@ TEST(Judge, NamesABendInsideThePatch) {
   EXPECT_LT(found->arguments.at(1), 6);
 }
 
+/// A sliver of the wall that turns over at its seam edge is no fault of a cap that has to lie in the plane; many of them are.
+TEST(Judge, DoesNotBlameACapForASliverOfItsWall) {
+  const OpenSphere open;
+  const auto cap = [&](LoopEnd end, std::size_t slivers) {
+    Patch patch = open.initial;
+    for (int i = 0; i < patch.free_count; ++i) {
+      const Vec3 p = patch.to_mesh(patch.positions[i]);
+      patch.positions[i] = patch.to_frame(Vec3(p.x(), p.y(), 0.5));
+    }
+    const std::vector<int>& loop = patch.loops[0];
+    for (std::size_t f = patch.patch_triangles; f < patch.triangles.size() && slivers > 0; ++f)
+      for (int k = 0; k < 3; ++k) {
+        const int a = patch.triangles[f][k], b = patch.triangles[f][(k + 1) % 3];
+        if (std::ranges::count(loop, a) == 0 || std::ranges::count(loop, b) == 0) continue;
+        int& apex = patch.triangles[f][(k + 2) % 3];  // a vertex of its own, over the cap
+        patch.positions.push_back(
+            patch.to_frame(0.7 * patch.to_mesh((patch.positions[a] + patch.positions[b]) / 2) + Vec3(0, 0, 0.2)));
+        apex = patch.vertex_count() - 1;
+        --slivers;
+        break;
+      }
+    return Judge(patch, {end}, Judge::Creases::unwanted)(patch, Validity(), seam_reports(patch)).at(0);
+  };
+  EXPECT_EQ(cap(LoopEnd::flat, 0).grade, Grade::good);
+  EXPECT_EQ(cap(LoopEnd::flat, 1).grade, Grade::good) << cap(LoopEnd::flat, 1).message();
+  EXPECT_EQ(cap(LoopEnd::runs_on, 1).folds, 1);
+  EXPECT_EQ(cap(LoopEnd::runs_on, 1).grade, Grade::bad);
+  EXPECT_EQ(cap(LoopEnd::flat, 12).folds, 12);
+  EXPECT_EQ(cap(LoopEnd::flat, 12).grade, Grade::bad);
+}
+
+/// A dome over a flat loop is seen at once, a folded edge is not.
+TEST(Judge, HoldsADomeOverAFlatLoopWorseThanAFold) {
+  Verdict dome, folded;
+  dome.grade = folded.grade = Grade::bad;
+  dome.findings = {{NoticeCode::dome_over_flat_loop, {0.2}}};
+  folded.folds = 2;
+  folded.findings = {{NoticeCode::folded_edges, {2}}};
+  EXPECT_LT(faults({folded}), faults({dome}));
+  Verdict crossing = dome;
+  crossing.crossings = 1;
+  EXPECT_LT(faults({dome}), faults({crossing}));
+}
+
 TEST(Judge, FindsAFold) {
   const OpenSphere open;
   int moved = 0;
@@ -127,7 +171,7 @@ TEST(Judge, FindsAFold) {
   });
   EXPECT_EQ(folded.grade, Grade::bad);
   EXPECT_GT(folded.folds, 0);
-  EXPECT_GT(faults({folded})[1], 0);
+  EXPECT_GT(faults({folded}).folds, 0);
 }
 
 TEST(Judge, FindsABumpThatNoBallExplains) {
