@@ -53,7 +53,7 @@ void take_stitch(const py::object& stitch, PrepareOptions& prepare) {
 
 LoopSelection loop_selection(const py::dict& options) {
   LoopSelection loops;
-  if (const auto text = option<std::optional<std::string>>(options, "loops")) loops.numbers = loop_numbers_of(*text);
+  if (const auto text = option<std::optional<std::string>>(options, "loops")) take_loops(*text, loops);
   if (const auto vertices = option<std::optional<std::vector<int>>>(options, "at_vertices")) {
     if (vertices->empty()) throw InvalidArgument(say("at_vertices names no vertex"));
     loops.at_vertices = *vertices;
