@@ -126,6 +126,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "Do first what this mesh needs, and nothing else: --stitch where boundaries nearly coincide, --repair where "
       "loops "
       "run along edges of more than two faces, --trim-crossing where no patch could be valid");
+  fill->add_flag_callback(
+      "--turn-around", [&command] { command.job.prepare.sides = PrepareOptions::Sides::turned; },
+      "Turn all faces round first, as those of a scan that is inside out");
   fill->add_option("--stitch", words.stitch,
                    "Zip boundaries that lie within L of each other first (mesh units), or within P percent of their "
                    "edges; 10% where nothing follows")

@@ -71,6 +71,7 @@ PrepareOptions prepare_options(const py::dict& options) {
   const bool cut_intersections = option<bool>(options, "cut_intersections");
   const bool cut_handles = option<bool>(options, "cut_handles");
   const bool unite = option<bool>(options, "union");
+  if (option<bool>(options, "turn_around")) prepare.sides = PrepareOptions::Sides::turned;
   if (option<bool>(options, "auto")) prepare.extent = PrepareOptions::Extent::where_needed;
   if (option<bool>(options, "repair") || cut_intersections || cut_handles || unite) prepare.repair = harmless_repairs;
   if (cut_intersections) prepare.repair.insert(Defect::intersections);
