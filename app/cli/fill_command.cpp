@@ -173,7 +173,9 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
                          "closed bodies cross themselves, and cross others, hold one or lie in one; they are")
                      .c_str());
   if (counts.united.touching > 0)
-    std::fprintf(out, "%s at single points or edges alone and stay apart: around both there is no manifold.\n",
+    std::fprintf(out,
+                 "%s at single points or edges alone and stay apart: around both there is no manifold. Move one "
+                 "into the other, then use --union again.\n",
                  counted(counts.united.touching, "pair of bodies touches", "pairs of bodies touch").c_str());
   if (counts.united.refused > 0)
     std::fprintf(out,
@@ -194,6 +196,7 @@ void print_preparation(std::FILE* out, const Preparation& done) {
                  counted(done.no_data.vertices.size(), "vertex", "vertices").c_str(), done.no_data.value);
   else
     print_no_data(out, done.no_data);
+  if (done.sides_turned > 0) std::fprintf(out, "All %zu faces were turned round.\n", done.sides_turned);
   if (done.stitched)
     std::fprintf(out, "Stitched: %s joined to others, %s split; the output is compared with the stitched mesh.\n",
                  counted(done.stitched->joined_vertices, "vertex", "vertices").c_str(),
@@ -217,6 +220,7 @@ void print_preparation(std::FILE* out, const Preparation& done) {
 
 nlohmann::ordered_json preparation_json(const Preparation& done) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (done.sides_turned > 0) json["sides_turned"] = done.sides_turned;
   if (done.stitched)
     json["stitched"] = {{"joined_vertices", done.stitched->joined_vertices},
                         {"split_faces", done.stitched->split_faces},
@@ -383,6 +387,8 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
     std::fprintf(out, "%s joined to others in the same place, where only these touch.\n",
                  counted(import.vertices_joined, "boundary vertex was", "boundary vertices were").c_str());
   print_preparation(out, scan.done);
+  print_inverted(out, scan.inverted, "");
+  print_tiles(out, scan.tiles, "");
   if (const std::size_t turned = scan.turned_faces(); turned > 0)
     std::fprintf(out, "%s turned round to agree with the neighbours.\n",
                  counted(turned, "face was", "faces were").c_str());

@@ -101,11 +101,11 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "--patches-only", [&command] { command.content = FillCommand::Content::patches; },
       "Write the patches alone, without the scan");
   add_verbose(*fill, command.detail);
-  fill->add_option(
-          "--loops", words.loops,
-          "Loops by the numbers that 'info' prints, or 'all'; behind a number how its patch meets the scan: flat "
-          "(a plane or minimal surface), tangent, smooth")
-      ->type_name("all|1,3:flat,...")
+  fill->add_option("--loops", words.loops,
+                   "Loops by the numbers that 'info' prints, or 'all'; behind a number or 'all' how the patch meets "
+                   "the scan: flat "
+                   "(a plane or minimal surface), tangent, smooth")
+      ->type_name("all[:flat]|1,3:flat,...")
       ->capture_default_str();
   fill->add_option("--at-vertex", words.at_vertices, "Loops through these input vertices, 0-based")->type_name("V,...");
   fill->add_option("--max-edges", command.job.loops.max_edges, "Leave loops with more edges")
@@ -126,6 +126,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "Do first what this mesh needs, and nothing else: --stitch where boundaries nearly coincide, --repair where "
       "loops "
       "run along edges of more than two faces, --trim-crossing where no patch could be valid");
+  fill->add_flag_callback(
+      "--turn-around", [&command] { command.job.prepare.sides = PrepareOptions::Sides::turned; },
+      "Turn all faces round first, as those of a scan that is inside out");
   fill->add_option("--stitch", words.stitch,
                    "Zip boundaries that lie within L of each other first (mesh units), or within P percent of their "
                    "edges; 10% where nothing follows")
@@ -236,7 +239,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   if (command.coincident == CoincidentVertices::weld) command.job.numbering = ScanJob::Numbering::of_prepared;
 
   LoopSelection& loops = command.job.loops;
-  loops.numbers = loop_numbers_of(words.loops);
+  take_loops(words.loops, loops);
   if (words.at_vertices) loops.at_vertices = vertex_numbers_of(*words.at_vertices);
   if (words.include_outer_rim) loops.outer_rim = LoopSelection::OuterRim::include;
 

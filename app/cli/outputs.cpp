@@ -178,6 +178,29 @@ void print_no_data(std::FILE* out, const NoDataVertices& found) {
                counted(found.vertices.size(), "vertex lies", "vertices lie").c_str(), found.value);
 }
 
+void print_inverted(std::FILE* out, const InvertedShells& inverted, const char* begin) {
+  if (inverted.closed > 0)
+    std::fprintf(out, "%s%s.\n", begin,
+                 counted(inverted.closed, "body or cavity is inside out; fill --repair turns it",
+                         "bodies or cavities are inside out; fill --repair turns them")
+                     .c_str());
+  if (inverted.open > 0)
+    std::fprintf(out, "%s%s inward, as a room scanned from within does; fill --turn-around turns all faces.\n", begin,
+                 counted(inverted.open, "open body looks", "open bodies look").c_str());
+}
+
+void print_tiles(std::FILE* out, const TileOutlines& outlines, const char* begin) {
+  if (outlines.abutting > 0)
+    std::fprintf(out, "%s%s beside others: tiles that abut; fill --stitch joins them.\n", begin,
+                 counted(outlines.abutting, "outline of a sheet runs", "outlines of sheets run").c_str());
+  if (outlines.overlapping > 0)
+    std::fprintf(
+        out,
+        "%s%s over another one: tiles that overlap; merge them in the program that made them, or cut both along "
+        "one line, then fill --stitch joins them.\n",
+        begin, counted(outlines.overlapping, "outline of a sheet runs", "outlines of sheets run").c_str());
+}
+
 std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }

@@ -8,6 +8,8 @@
 #include "io/write_mesh.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/no_data.h"
+#include "pipeline/tile_outlines.h"
+#include "repair/inverted_shells.h"
 
 #include <nlohmann/json.hpp>
 
@@ -80,6 +82,12 @@ void print_coincident(std::FILE* out, const ImportReport& import, const std::vec
 
 /// How many vertices mark missing data, and what removes them; nothing where there are none.
 void print_no_data(std::FILE* out, const NoDataVertices& found);
+
+/// Bodies that are inside out, and what turns them; nothing where there are none. @param begin  of each line
+void print_inverted(std::FILE* out, const InvertedShells& inverted, const char* begin);
+
+/// Outlines of sheets that abut or overlap, and the next thing to do; nothing where there are none.
+void print_tiles(std::FILE* out, const TileOutlines& outlines, const char* begin);
 
 /// "1 face", "2 faces".
 std::string counted(std::size_t count, const char* one, const char* many);

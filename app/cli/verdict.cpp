@@ -27,6 +27,8 @@ void print_verdict(std::FILE* out, const Watertightness& surface) {
   std::string why;
   for (const std::string& fault : faults(surface)) why += (why.empty() ? "" : ", ") + fault;
   std::fprintf(out, "Ready to print: no, because of %s.\n", why.c_str());
+  if (surface.encloses() && surface.pieces > 1 && surface.intersections > 0)
+    std::fprintf(out, "Where closed bodies overlap, fill --union makes one of them.\n");
 }
 
 }  // namespace loopmend

@@ -5,6 +5,7 @@
 #include "filling/bridge_topology.h"
 #include "filling/fairing.h"
 #include "filling/ring_bridge.h"
+#include "filling/wall_bridge.h"
 #include "mesh/directed_edges.h"
 #include "mesh/loop_facing.h"
 #include "mesh/quality.h"
@@ -83,6 +84,34 @@ bool is_sound_ring(const Patch& ring) {
   const Triangles own(ring.triangles.begin(), ring.triangles.begin() + ring.patch_triangles);
   return count_folds(ring.positions, own, ring.patch_triangles) == 0 &&
          self_intersections(ring.positions, ring.triangles, ring.patch_triangles).empty();
+}
+
+/// At corners of its outline a wall has edges, which are no folds.
+bool is_sound_wall(const Patch& wall) {
+  constexpr double sharpest = -0.866;  // cosine of 150 degrees
+  const Triangles own(wall.triangles.begin(), wall.triangles.begin() + wall.patch_triangles);
+  const std::vector<Bend> own_bends = bends(wall.positions, own, wall.patch_triangles);
+  return std::none_of(own_bends.begin(), own_bends.end(), [](const Bend& bend) { return bend.cosine < sharpest; }) &&
+         self_intersections(wall.positions, wall.triangles, wall.patch_triangles).empty();
+}
+
+bool are_outlines_of_a_plate(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a,
+                             const BridgeEnd& end_b) {
+  return a.kind == LoopKind::outer_rim && b.kind == LoopKind::outer_rim && are_sides_of_a_plate(end_a, end_b);
+}
+
+/// Whether hole loops are the rims of a bore through a plate: they lie on each other, not far apart, and both surfaces look away from
+/// the other.
+bool are_rims_of_a_bore(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a, const BridgeEnd& end_b) {
+  constexpr double longest = 0.5;  // in diameters; longer ones may be two holes
+  const Vec3 way = b.center - a.center;
+  return a.kind == LoopKind::hole && b.kind == LoopKind::hole &&
+         way.norm() < longest * std::min(a.diameter, b.diameter) && end_a.axis.dot(way) < 0 &&
+         end_b.axis.dot(way) > 0 && are_sides_of_a_plate(end_a, end_b);
+}
+
+bool have_a_wall_between(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a, const BridgeEnd& end_b) {
+  return are_outlines_of_a_plate(a, b, end_a, end_b) || are_rims_of_a_bore(a, b, end_a, end_b);
 }
 
 Patch with_triangles(const Patch& empty, const Triangles& own) {
@@ -267,8 +296,9 @@ std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector
   Vec3 center = Vec3::Zero();
   for (const BoundaryLoop& loop : loops) center += loop.center / static_cast<double>(loops.size());
   std::vector<int> opposed;
-  if (loops.size() == 2 && are_walls_of_a_ring(ends[0], ends[1])) {
-    // Seen along the walls, the outer loop runs round one way, the inner the other way.
+  if (loops.size() == 2 &&
+      (are_walls_of_a_ring(ends[0], ends[1]) || are_outlines_of_a_plate(loops[0], loops[1], ends[0], ends[1]))) {
+    // Seen along the walls, the outer loop runs round one way, the inner the other way; so do both outlines of a plate.
     if (ends[0].axis.dot(ends[1].axis) > 0) opposed.push_back(1);
     return opposed;
   }
@@ -283,10 +313,29 @@ std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector
   return opposed;
 }
 
+namespace {
+
+/// The straight wall between the outlines of a plate's sides; empty where it would fold or cut itself.
+std::optional<Bridge> wall_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                   const std::vector<BridgeEnd>& ends, double density) {
+  const SweptBridge bridge = bridge_by_wall(ends[0], ends[1], mean_boundary_edge(ends) / density);
+  if (bridge.triangles.empty() ||
+      DirectedEdges(bridge.triangles, static_cast<int>(bridge.triangles.size())).any_twice())
+    return std::nullopt;
+  if (static_cast<double>(bridge.points.size()) > most_vertices) return std::nullopt;
+  Patch wall = with_bridge(empty_patch(model, loops), bridge);
+  wall.grading.density = density;
+  if (!is_sound_wall(wall)) return std::nullopt;
+  return Bridge{wall, wall, patch_validity(wall), Bridge::Kind::ring};
+}
+
+}  // namespace
+
 std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
                                    const CancelToken& cancel) {
   if (loops.size() != 2) return std::nullopt;
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
+  if (have_a_wall_between(loops[0], loops[1], ends[0], ends[1])) return wall_between(model, loops, ends, density);
   if (!are_walls_of_a_ring(ends[0], ends[1]) || bend_towards_each_other(model, loops, ends)) return std::nullopt;
   const Patch empty = empty_patch(model, loops);
   for (const SweptBridge& bridge : bridges_by_ring(ends, mean_boundary_edge(ends) / density)) {
@@ -306,20 +355,25 @@ std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<
 
 std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                             const CancelToken& cancel) {
+  constexpr int fewest_edges_of_a_bore = 8;
   constexpr double shortest_onward = 0.5;  // of walls that are steep along most of the loop
   constexpr double coarse = 0.25;          // density: whether there is a ring does not depend on it
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
   const auto may_end = [&](std::size_t k) {
     const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
     return (loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim) && !touches &&
-           ends[k].onward.norm() > shortest_onward;
+           (ends[k].onward.norm() > shortest_onward || loops[k].kind == LoopKind::outer_rim ||
+            loops[k].edges() >= fewest_edges_of_a_bore);
   };
   std::vector<std::tuple<double, int, int>> pairs;
   for (std::size_t i = 0; i < loops.size(); ++i)
     for (std::size_t j = i + 1; may_end(i) && j < loops.size(); ++j) {
       const double apart = (loops[i].center - loops[j].center).norm();
       const bool near = apart < std::max(loops[i].diameter, loops[j].diameter);
-      if (near && may_end(j) && are_walls_of_a_ring(ends[i], ends[j]))
+      if (near && may_end(j) &&
+          ((ends[i].onward.norm() > shortest_onward && ends[j].onward.norm() > shortest_onward &&
+            are_walls_of_a_ring(ends[i], ends[j])) ||
+           have_a_wall_between(loops[i], loops[j], ends[i], ends[j])))
         pairs.emplace_back(apart + std::abs(loops[i].diameter - loops[j].diameter) / 2, i, j);
     }
   std::sort(pairs.begin(), pairs.end());

@@ -20,7 +20,8 @@ struct Bridge {
   Patch
       start;  ///< where the flow begins: minimal surfaces between tubes pinch (docs/math/energy_to_matrix.md, "Starts")
   Validity quality;  ///< of the start
-  /// A ring between two walls that end (ring_bridge.h) is flat or conical: both shapes are the same, and no flow is to round it.
+  /// A ring between two walls that end (ring_bridge.h) is flat or conical, and a wall between the sides of a plate (wall_bridge.h) is
+  /// straight: both shapes are the same, and no flow is to round them.
   enum class Kind { smooth, ring } kind = Kind::smooth;
 };
 
@@ -36,13 +37,14 @@ struct BridgeOutcome {
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                            const InitialPatchOptions& options, const CancelToken& cancel);
 
-/// The ring between two loops at which walls end, flat or conical. Empty where the loops are no such pair, and where the ring would fold
-/// or cut itself. bridge_loops() tries it first.
+/// The ring between two loops at which walls end, flat or conical, or the wall between two outlines of a plate or the rims of
+/// its bore. Empty where the loops
+/// are no such pair, and where it would fold or cut itself. bridge_loops() tries it first.
 /// @param loops  two, as bridge_loops() takes them
 std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
                                    const CancelToken& cancel);
 
-/// Pairs of loops that such a ring joins, the narrowest first, each the nearest wall of the other; indices into `loops`. Loops that
+/// Pairs of loops that such a ring or wall joins, the narrowest first, each the nearest wall of the other; indices into `loops`. Loops that
 /// touch others are left out.
 std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                                             const CancelToken& cancel);

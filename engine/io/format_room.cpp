@@ -25,6 +25,16 @@ bool writes_texture(const ScanAttributes& scan) {
   return has_rows(scan.texture) && !find_column(scan.faces, "texcoord");
 }
 
+std::pair<const AttributeColumn*, const AttributeColumn*> point_texture(const ScanAttributes& scan) {
+  if (has_rows(scan.texture)) return {};
+  constexpr std::array<std::array<const char*, 2>, 3> names = {{{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
+  for (const auto& [first, second] : names) {
+    const AttributeColumn *u = find_column(scan.points, first), *v = find_column(scan.points, second);
+    if (u && v && !u->is_list() && !v->is_list()) return {u, v};
+  }
+  return {};
+}
+
 /// Their numbers of vertices hold only while the points are where they were.
 bool keeps_elements(const TriangleSoup& soup) { return soup.attributes && soup.point_rows.empty(); }
 
@@ -111,6 +121,8 @@ bool holds(const Room& room, const TriangleSoup& soup, bool of_faces, const Attr
   if (room.is(Format::off) && is_texture_coordinate(name)) return true;
   if (room.is(Format::three_mf))
     return of_faces && role == AttributeRole::color && soup.colors.empty() && has_face_colors(scan);
+  if (room.is_gltf() && !of_faces)
+    if (const auto [u, v] = point_texture(scan); &column == u || &column == v) return true;
   const bool holds_normals = room.is(Format::off) || room.is(Format::obj) || room.is_gltf();
   return holds_normals && !of_faces && role == AttributeRole::normal;
 }

@@ -16,6 +16,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace loopmend {
 
@@ -80,6 +81,8 @@ const ScanAttributes& attributes_of(const TriangleSoup& soup);
 bool has_rows(const CornerValues& values);
 /// Whether texture coordinates of corners go into a PLY file: its faces may have a list of that name already.
 bool writes_texture(const ScanAttributes& scan);
+/// The two columns of points with texture coordinates, where corners have none; null: there are none.
+std::pair<const AttributeColumn*, const AttributeColumn*> point_texture(const ScanAttributes& scan);
 /// Whether PLY elements do: their numbers of vertices hold only while the points are where they were.
 bool keeps_elements(const TriangleSoup& soup);
 /// The names under a keyword; null: none.

@@ -88,6 +88,7 @@ class GltfWriter {
         texture_(soup, &ScanAttributes::texture),
         normals_(soup, &ScanAttributes::normals),
         materials_(write_gltf_materials(written_materials(soup))) {
+    read_point_texture();
     const std::vector<AttributeColumn>& columns = attributes_of(soup).points;
     has_point_normals_ = !has_rows(attributes_of(soup).normals) && find_column(columns, "nx") &&
                          find_column(columns, "ny") && find_column(columns, "nz");
@@ -137,6 +138,20 @@ class GltfWriter {
   /// Primitives have one material, and either all or none of their corners have texture and normals.
   using PartKey = std::tuple<int, bool, bool>;
   using Parts = std::map<PartKey, std::vector<std::size_t>>;
+
+  /// Of scans whose vertices have texture coordinates, and not their corners.
+  void read_point_texture() {
+    const auto [u, v] = point_texture(attributes_of(soup_));
+    if (!u) return;
+    PointRows rows(soup_);
+    for (std::size_t k = 0; k < soup_.points.size(); ++k) {
+      const AttributeRow row = rows.next();
+      std::array<float, 2>& texture = point_texture_.emplace_back();
+      const AttributeColumn* own_u = row.table ? find_column(row.table->points, u->name()) : nullptr;
+      const AttributeColumn* own_v = row.table ? find_column(row.table->points, v->name()) : nullptr;
+      if (own_u && own_v) texture = {finite(own_u->value(row.row)), finite(1 - own_v->value(row.row))};
+    }
+  }
 
   /// By object, −1 last.
   static std::vector<std::pair<int, Parts>> parts_of(const std::vector<WrittenTriangle>& triangles) {
@@ -225,6 +240,10 @@ class GltfWriter {
     if (has_texture)
       floats("TEXCOORD_0", "VEC2", [&](const VertexKey& v) {
         for (const float x : v.texture) buffer_.put(x);
+      });
+    else if (!point_texture_.empty())
+      floats("TEXCOORD_0", "VEC2", [&](const VertexKey& v) {
+        for (const float x : point_texture_[static_cast<std::size_t>(v.point)]) buffer_.put(x);
       });
     if (!soup_.colors.empty()) {
       const std::size_t view = buffer_.begin_view(array_buffer);
@@ -324,6 +343,7 @@ class GltfWriter {
   GltfMaterials materials_;
   bool has_point_normals_ = false;
   std::vector<std::array<float, 3>> point_normals_;
+  std::vector<std::array<float, 2>> point_texture_;  ///< empty: corners have them, or nothing has
   Buffer buffer_;
 };
 

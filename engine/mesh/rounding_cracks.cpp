@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -21,6 +23,31 @@ namespace bg = boost::geometry;
 using Pair = std::pair<int, int>;
 
 constexpr double least_edge = 100;  ///< in distances between the vertices
+/// Coordinates of single precision are taken for one place so many units in the last place apart, and edges need not be as long then:
+/// far from the origin these units are no small part of them.
+constexpr double units_of_one_place = 2, least_edge_there = 4;
+constexpr double of_a_unit = 0.1;  ///< by which a number written with nine digits may miss that of single precision
+
+/// Between a number and the next of single precision.
+double unit_in_last_place(double x) {
+  const float size = std::abs(static_cast<float>(x));
+  return static_cast<double>(std::nextafter(size, std::numeric_limits<float>::infinity())) - static_cast<double>(size);
+}
+
+bool is_of_single_precision(const Vec3& p) {
+  return std::all_of(p.begin(), p.end(), [](double x) {
+    return std::abs(x - static_cast<double>(static_cast<float>(x))) <= of_a_unit * unit_in_last_place(x);
+  });
+}
+
+/// Whether only the last places tell the coordinates apart. @param otherwise  by how much they may differ all the same
+bool are_one_place(const Vec3& p, const Vec3& q, double otherwise) {
+  for (int k = 0; k < 3; ++k) {
+    const double unit = std::max(unit_in_last_place(p[k]), unit_in_last_place(q[k]));
+    if (std::abs(p[k] - q[k]) > std::max(units_of_one_place * (1 + of_a_unit) * unit, otherwise)) return false;
+  }
+  return is_of_single_precision(p) && is_of_single_precision(q);
+}
 
 double size_of(const Points& points) {
   Eigen::AlignedBox3d box;
@@ -91,12 +118,18 @@ class CrackJoin {
     for (const auto& [v, length] : shortest) {
       const Vec3& p = soup_.points[v];
       const double reach = std::min(rounding, length / least_edge);
-      const Vec3 half_box = Vec3::Constant(reach);
+      const Vec3 half_box =
+          p.unaryExpr([&](double x) { return std::max(reach, 3 * units_of_one_place * unit_in_last_place(x)); });
       const TreeBox box(tree_point(p - half_box), tree_point(p + half_box));
       for (auto it = tree.qbegin(bg::index::intersects(box)); it != tree.qend(); ++it) {
         const int w = it->second;
         const double distance = (soup_.points[w] - p).norm();
-        if (w > v && distance <= std::min(reach, shortest.at(w) / least_edge)) pairs_.emplace_back(distance, v, w);
+        if (w <= v) continue;
+        const double least = std::min(length, shortest.at(w));
+        if (distance <= std::min(rounding, least / least_edge) ||
+            (distance <= least / least_edge_there &&
+             are_one_place(p, soup_.points[w], std::min(rounding, least / least_edge) / 2)))
+          pairs_.emplace_back(distance, v, w);
       }
     }
     std::sort(pairs_.begin(), pairs_.end());

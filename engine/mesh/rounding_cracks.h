@@ -22,7 +22,8 @@ struct JoinedCracks {
 
 /// Closes cracks whose sides lie within rounding of each other: boundary vertices become one where that closes an edge, unless
 /// a face would lose a corner, two faces would have the same corners, or an edge more than two faces. Vertices stay apart, too,
-/// where an edge at one of them is not a hundred times as long. Points and the order of faces stay.
+/// where an edge at one of them is not a hundred times as long, or four times where the coordinates are of single precision and only
+/// their last two units differ. Points and the order of faces stay.
 /// @param survey  of the soup as it is before
 JoinedCracks join_rounding_cracks(TriangleSoup& soup, const VertexSurvey& survey);
 

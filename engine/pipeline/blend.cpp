@@ -62,6 +62,8 @@ PatchResult ring_result(const PatchProblem& problem) {
   options.continuity = SeamContinuity::position;
   PatchResult result = initial_result(problem, options.flow);
   judge_again(problem, options, result);
+  for (Verdict& verdict : result.verdicts)  // rugged loops have sharp edges; within itself the ring has no folds
+    if (verdict.crossings == 0 && verdict.grade == Grade::bad) verdict.grade = Grade::look;
   result.reason = joined(say("both surfaces end at these loops, so that a straight ring joins them"), "; ",
                          say("--boundary exact runs the flow itself"))
                       .with_code("ring");

@@ -44,7 +44,8 @@ SeamContinuity continuity_of(const std::string& word) {
   if (word == "flat") return SeamContinuity::position;
   if (word == "tangent") return SeamContinuity::tangent;
   if (word == "smooth") return SeamContinuity::curvature;
-  throw InvalidArgument(say("--loops takes flat, tangent or smooth behind a number, as in 3:flat, not '%1'", word));
+  throw InvalidArgument(
+      say("--loops takes flat, tangent or smooth behind a number or all, as in 3:flat, not '%1'", word));
 }
 
 /// Loops through a vertex of the input. @throws InvalidArgument when there is none.
@@ -129,15 +130,20 @@ void leave_largest(const std::vector<BoundaryLoop>& loops, int count, std::vecto
 
 }  // namespace
 
-std::map<int, std::optional<SeamContinuity>> loop_numbers_of(const std::string& text) {
-  std::map<int, std::optional<SeamContinuity>> numbers;
-  if (text == "all") return numbers;
+void take_loops(const std::string& text, LoopSelection& selection) {
+  selection.numbers.clear();
+  selection.continuity.reset();
+  if (text == "all") return;
+  if (text.starts_with("all:")) {
+    selection.continuity = continuity_of(text.substr(4));
+    return;
+  }
   for (const std::string& item : items_of(text, "--loops")) {
     const std::size_t colon = item.find(':');
-    std::optional<SeamContinuity>& shape = numbers[number_of(std::string_view(item).substr(0, colon), text, "--loops")];
+    std::optional<SeamContinuity>& shape =
+        selection.numbers[number_of(std::string_view(item).substr(0, colon), text, "--loops")];
     if (colon != std::string::npos) shape = continuity_of(item.substr(colon + 1));
   }
-  return numbers;
 }
 
 std::vector<int> vertex_numbers_of(const std::string& text) {
@@ -175,6 +181,7 @@ std::vector<LoopChoice> choose_loops(const SurfaceModel& model, const std::vecto
     LoopChoice& choice = choices[k];
     if (named.empty()) {
       choice = choose_unnamed(loops[k], selection);
+      choice.continuity = selection.continuity;
       continue;
     }
     const auto own = named.find(k);

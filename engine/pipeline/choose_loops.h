@@ -17,18 +17,19 @@ struct LoopSelection {
   /// Loops by number, from 1, each with the continuity that was named for it alone. Loops that are named here or by a vertex are
   /// filled whatever their kind is; where none is named, every hole is.
   std::map<int, std::optional<SeamContinuity>> numbers;
-  std::vector<int> at_vertices;        ///< input vertices, from 0: the loops through them
-  std::optional<int> max_edges;        ///< loops with more edges are left
-  std::optional<double> max_diameter;  ///< mesh units; wider loops are left
-  int all_but_largest = 0;             ///< so many of the largest loops are left
+  std::optional<SeamContinuity> continuity;  ///< of loops that are not named
+  std::vector<int> at_vertices;              ///< input vertices, from 0: the loops through them
+  std::optional<int> max_edges;              ///< loops with more edges are left
+  std::optional<double> max_diameter;        ///< mesh units; wider loops are left
+  int all_but_largest = 0;                   ///< so many of the largest loops are left
   enum class OuterRim { leave, include } outer_rim = OuterRim::leave;
 
   bool names_loops() const { return !numbers.empty() || !at_vertices.empty(); }
 };
 
-/// "all", or numbers of loops between commas, each with a continuity if one is named: "1,3:flat,7:tangent,8:smooth".
-/// @returns nothing for "all". @throws InvalidArgument for anything else.
-std::map<int, std::optional<SeamContinuity>> loop_numbers_of(const std::string& text);
+/// Chooses by a text: "all" or "all:flat", or numbers of loops between commas, each with a continuity if one is named:
+/// "1,3:flat,7:tangent,8:smooth". @throws InvalidArgument for anything else.
+void take_loops(const std::string& text, LoopSelection& selection);
 
 /// "17,230", one at least. @throws InvalidArgument for anything else.
 std::vector<int> vertex_numbers_of(const std::string& text);

@@ -5,6 +5,7 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/rounding_cracks.h"
 #include "pipeline/hand_bridge.h"
+#include "pipeline/rim_pairs.h"
 #include "repair/base.h"
 #include "repair/inverted_shells.h"
 
@@ -14,6 +15,7 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace loopmend {
 
@@ -41,10 +43,17 @@ std::set<Defect> repairs_needed(const SurfaceModel& model) {
   return {};
 }
 
-bool has_sides_to_join(const SurfaceModel& model) {
+/// Walls of thin pipes and plates are no sides of a crack, however near they are to each other.
+bool has_sides_to_join(const SurfaceModel& model, const CancelToken& cancel) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  return std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.coincident > 0; }) ||
-         !near_boundaries(model).closing.empty();
+  if (std::any_of(loops.begin(), loops.end(), [](const BoundaryLoop& loop) { return loop.coincident > 0; }))
+    return true;
+  const NearBoundaries near = near_boundaries(model);
+  if (near.closing.empty()) return false;
+  const std::vector<char> at_walls = are_at_walls(model, loops, find_walls(model, loops, cancel));
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (!at_walls[k] && closing_edges(model, loops[k], near) > 0) return true;
+  return false;
 }
 
 struct OpenEdges {
@@ -151,7 +160,7 @@ PrepareOptions::Base base_of(const std::string& text) {
 }
 
 bool Preparation::changed_nothing() const {
-  return !stitched && !repaired && bridges == 0 && base_loop == 0 && no_data_faces == 0;
+  return !stitched && !repaired && sides_turned == 0 && bridges == 0 && base_loop == 0 && no_data_faces == 0;
 }
 
 Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeModel& make_model,
@@ -164,13 +173,19 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     done.turned_faces += model.repairs.reoriented_faces;
     model = make_model(std::move(soup));
   };
+  if (options.sides == PrepareOptions::Sides::turned) {
+    TriangleSoup soup = as_read(model);
+    for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+    done.sides_turned = soup.triangles.size();
+    replace(std::move(soup));
+  }
   done.no_data = find_no_data(model.soup.points);
   if (options.no_data == PrepareOptions::NoData::cut && !done.no_data.vertices.empty()) {
     TriangleSoup soup = as_read(model);
     done.no_data_faces = remove_faces_at(done.no_data.vertices, soup);
     replace(std::move(soup));
   }
-  if (where_needed && has_sides_to_join(model)) options.stitch = PrepareOptions::Stitch::yes;
+  if (where_needed && has_sides_to_join(model, cancel)) options.stitch = PrepareOptions::Stitch::yes;
   if (stitches()) {
     done.stitched = stitch_boundaries(model, options.stitch_tolerance);
     replace(std::move(done.stitched->soup));
@@ -181,7 +196,7 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     RepairedSurface repaired = repair_surface(as_read(model), options.repair, cancel);
     done.repaired = repaired.counts;
     replace(std::move(repaired.soup));
-    if ((where_needed && has_sides_to_join(model)) || stitches())
+    if ((where_needed && has_sides_to_join(model, cancel)) || stitches())
       if (std::optional<JoinedAgain> joined = joined_again(model, options.stitch_tolerance)) {
         done.joined_again = joined->vertices;
         replace(std::move(joined->soup));

@@ -22,7 +22,8 @@ namespace loopmend {
 struct PrepareOptions {
   /// Whether stitching, repair and trimming of what crosses are done where the mesh needs them, beside what is asked for.
   enum class Extent { as_asked, where_needed } extent = Extent::as_asked;
-  enum class Stitch { no, yes } stitch = Stitch::no;  ///< zip boundaries that nearly coincide
+  enum class Sides { as_given, turned } sides = Sides::as_given;  ///< turned: every face looks the other way
+  enum class Stitch { no, yes } stitch = Stitch::no;              ///< zip boundaries that nearly coincide
   StitchTolerance stitch_tolerance{};
   enum class NoData {
     keep,
@@ -55,6 +56,7 @@ struct Preparation {
   std::optional<RepairCounts> repaired;
   std::size_t joined_again = 0;  ///< vertices at cracks that the repair left, where both stitching and repair are done
   std::size_t bridges = 0;
+  std::size_t sides_turned = 0;   ///< faces, all of the mesh where that was asked for
   int base_loop = 0;              ///< under which a base was built; 0: none
   NoDataVertices no_data;         ///< that were found
   std::size_t no_data_faces = 0;  ///< that were removed there

@@ -3,7 +3,6 @@
 
 #include "core/error.h"
 #include "core/system_memory.h"
-#include "filling/bridge_loops.h"
 #include "mesh/loop_facing.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/edge_preview.h"
@@ -124,7 +123,7 @@ bool runs_on_towards(const SurfaceModel& model, const BoundaryLoop& loop, const 
 void leave_gaps_between_parts(ScanPlan& plan) {
   const auto may_be_side = [&](std::size_t k) {
     const bool is_open = plan.choices[k].fill || plan.loops[k].kind == LoopKind::outer_rim;
-    return is_open && plan.choices[k].left == LoopChoice::Left::as_asked;
+    return is_open && plan.choices[k].left == LoopChoice::Left::as_asked && !plan.at_walls[k];
   };
   const auto agree = [&](const BoundaryLoop& a, const BoundaryLoop& b) {
     const double reach = one_place * a.diameter;
@@ -174,13 +173,25 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
     const BoundaryLoop& loop = plan.loops[k];
     LoopChoice& choice = plan.choices[k];
     const bool is_rim = loop.kind == LoopKind::outer_rim;
-    if (choice.left != LoopChoice::Left::as_asked || (!choice.fill && !is_rim)) continue;
+    if (choice.left != LoopChoice::Left::as_asked || (!choice.fill && !is_rim) || plan.at_walls[k]) continue;
     const int closing = closing_edges(plan.model, loop, is_rim ? plan.coincident : nearest);
     if (2 * closing <= loop.edges()) continue;
     choice.fill = false;
     choice.left = LoopChoice::Left::wide_crack;
     choice.why_not = crack_message(closing, loop).with_code("wide_crack");
   }
+}
+
+/// Outlines that are left, of which --stitch would close a tenth or more.
+std::size_t count_abutting(const ScanPlan& plan) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < plan.loops.size(); ++k) {
+    const BoundaryLoop& loop = plan.loops[k];
+    if (loop.kind != LoopKind::outer_rim || plan.choices[k].left != LoopChoice::Left::as_asked || plan.at_walls[k])
+      continue;
+    count += !plan.choices[k].fill && 10 * closing_edges(plan.model, loop, plan.coincident) >= loop.edges();
+  }
+  return count;
 }
 
 /// Names what closes a loop that is no hole, or makes one of it; nothing that was done already, or that would join nothing.
@@ -219,15 +230,13 @@ void check_shapes(const ScanPlan& plan, const ScanJob& job) {
         say("--loops takes flat, tangent and smooth only with --flow mmcvf and --mode steady, the defaults"));
 }
 
-/// A patch over each loop alone leaves the wall hollow, or goes through it.
-void name_rings(const ScanPlan& plan, std::vector<HoleResult>& results) {
-  for (const auto& [i, j] : plan.rings)
-    for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
+/// A patch over each loop alone leaves a wall hollow, or goes through it.
+void name_pairs(const ScanPlan& plan, std::vector<HoleResult>& results) {
+  for (const RimPair& pair : plan.pairs)
+    for (const auto& [own, other] : {pair.loops, std::pair(pair.loops.second, pair.loops.first)}) {
+      if (plan.choices[static_cast<std::size_t>(own)].left == LoopChoice::Left::wide_crack) continue;
       Message& message = results[static_cast<std::size_t>(own)].message;
-      message =
-          joined(std::move(message), "; ",
-                 say("a wall ends at this loop and at loop %1: 'loopmend blend --loops 1:%2,1:%3' joins them by a ring",
-                     other + 1, std::min(i, j) + 1, std::max(i, j) + 1));
+      message = joined(std::move(message), "; ", advice(pair, own + 1, other + 1));
     }
 }
 
@@ -243,8 +252,8 @@ std::vector<BoundaryLoop> ScanPlan::chosen() const {
 bool needs_whole_view(const ScanJob& job) {
   const PrepareOptions& prepare = job.prepare;
   return prepare.extent == PrepareOptions::Extent::where_needed || prepare.stitch == PrepareOptions::Stitch::yes ||
-         prepare.no_data == PrepareOptions::NoData::cut || !prepare.repair.empty() || !prepare.bridges.empty() ||
-         prepare.base || prepare.trims();
+         prepare.sides == PrepareOptions::Sides::turned || prepare.no_data == PrepareOptions::NoData::cut ||
+         !prepare.repair.empty() || !prepare.bridges.empty() || prepare.base || prepare.trims();
 }
 
 ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, const CancelToken& cancel) {
@@ -266,14 +275,18 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     plan.choices = choose_loops(plan.model, plan.loops, job.loops);
   }
   check_shapes(plan, job);
+  plan.inverted = find_inverted_shells(plan.model, plan.loops);
+  // Only where commands find the same loops in the file.
+  if (job.numbering == ScanJob::Numbering::of_source && plan.done.changed_nothing())
+    plan.pairs = find_rim_pairs(plan.model, plan.loops, cancel);
+  plan.at_walls = are_at_walls(plan.model, plan.loops, plan.pairs);
   leave_wide_cracks(plan, job);
+  plan.tiles = {count_abutting(plan), count_overlapping_outlines(plan.model, plan.loops)};
   plan.to_trim = plan.chosen();
   if (job.prepare.trims()) trim(plan, job);
   if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   name_cures(plan, job);
-  // Only where `blend` finds the same loops in the file.
-  if (job.numbering == ScanJob::Numbering::of_source && plan.done.changed_nothing() && plan.trimmed.empty())
-    plan.rings = find_rings(plan.model, plan.loops, cancel);
+  if (!plan.trimmed.empty()) plan.pairs.clear();  // no command finds the same loops in the file
   plan.trimmable = few_of_their_pieces(plan.model, bad_boundary_faces(plan.model, plan.to_trim));
   return plan;
 }
@@ -307,7 +320,7 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
       results[k].message = say("not finished in the time that --max-time allows: left open").with_code("out_of_time");
   }
-  name_rings(plan, results);
+  name_pairs(plan, results);
   return results;
 }
 

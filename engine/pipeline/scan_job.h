@@ -8,11 +8,13 @@
 #include "pipeline/fill_holes.h"
 #include "pipeline/paste.h"
 #include "pipeline/prepare.h"
+#include "pipeline/rim_pairs.h"
+#include "pipeline/tile_outlines.h"
+#include "repair/inverted_shells.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -38,7 +40,10 @@ struct ScanPlan {
   std::vector<BadBoundaryFace> trimmed;    ///< faces of the mesh as it was before --trim-boundary
   std::vector<BadBoundaryFace> trimmable;  ///< bad triangles at the loops to fill, where trimming can be proposed
   std::size_t spared_pieces = 0;           ///< of which --trim-boundary would have taken too much
-  std::vector<std::pair<int, int>> rings;  ///< loops that `blend` would join by a ring; indices into `loops`
+  std::vector<char> at_walls;              ///< per loop whether it bounds the wall of a pipe or a side of a plate
+  TileOutlines tiles;                      ///< outlines that are left beside or over other sheets
+  InvertedShells inverted;                 ///< what looks inward still
+  std::vector<RimPair> pairs;              ///< loops across from each other that a command joins; indices into `loops`
   std::vector<BoundaryLoop> to_trim;       ///< the loops to fill, and those that trimming left no hole
 
   std::vector<BoundaryLoop> chosen() const;

@@ -29,6 +29,16 @@ std::vector<char> inverted(const std::vector<Shell>& shells) {
   return result;
 }
 
+/// Whether an open shell may be the inner wall of another one that is as open, as of a hollow print.
+bool may_be_an_inner_wall(const std::vector<Shell>& shells, const Shell& shell) {
+  constexpr double wider = 0.05;  // in diagonals of the outer one: both end at the same height
+  return std::any_of(shells.begin(), shells.end(), [&](const Shell& outer) {
+    if (&outer == &shell || !(outer.volume > -shell.volume)) return false;
+    const Vec3 margin = Vec3::Constant(wider * outer.box.diagonal().norm());
+    return Eigen::AlignedBox3d(outer.box.min() - margin, outer.box.max() + margin).contains(shell.box);
+  });
+}
+
 }  // namespace
 
 InvertedShells find_inverted_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
@@ -49,6 +59,7 @@ InvertedShells find_inverted_shells(const SurfaceModel& model, const std::vector
       return box.contains(shells[s].box);
     });
     if (!is_inverted[s] || may_be_a_cavity) continue;
+    if (!shells[s].is_nearly_closed() && may_be_an_inner_wall(shells, shells[s])) continue;
     ++(shells[s].is_nearly_closed() ? result.closed : result.open);
     if (!shells[s].is_nearly_closed()) continue;
     result.faces.resize(model.soup.triangles.size(), 0);

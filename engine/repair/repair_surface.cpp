@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <set>
@@ -272,6 +273,52 @@ void separate(TriangleSoup& soup, RepairCounts& counts) {
   soup = std::move(result);
 }
 
+/// Of a closed piece of surface: whether all of it lies in the plane of its largest face, but for rounding to single precision.
+bool is_flat(const TriMesh& mesh, const std::vector<int>& faces) {
+  constexpr double rounding = 0x1p-21;  // 4 units in the last place
+  Vec3 normal = Vec3::Zero(), origin = Vec3::Zero();
+  double largest = 0;
+  for (const int f : faces) {
+    Vec3 corner[3];
+    int k = 0;
+    for (const auto v : mesh.fv_range(TriMesh::FaceHandle(f))) corner[k++] = mesh.point(v);
+    const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+    if (!(n.squaredNorm() > normal.squaredNorm())) continue;
+    normal = n;
+    origin = corner[0];
+  }
+  normal.normalize();
+  double off = 0;
+  for (const int f : faces)
+    for (const auto v : mesh.fv_range(TriMesh::FaceHandle(f))) {
+      const Vec3 p = mesh.point(v);
+      off = std::max(off, std::abs(normal.dot(p - origin)));
+      largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+  return off <= rounding * largest;
+}
+
+/// Bodies that touch along a face, with its corners in common, leave this face of both when they are separated there: a closed piece
+/// without volume.
+void remove_flat_bodies(TriangleSoup& soup, RepairCounts& counts) {
+  constexpr std::size_t most_faces = 10000;
+  const SurfaceModel model = make_surface_model(soup);
+  const std::vector<int> piece = pieces_of(model.mesh);
+  std::vector<std::vector<int>> faces(piece.size());
+  std::vector<char> is_open(piece.size(), 0), gone(soup.triangles.size(), 0);
+  for (const auto face : model.mesh.faces()) {
+    const auto own = static_cast<std::size_t>(piece[static_cast<std::size_t>(face.idx())]);
+    if (faces[own].size() <= most_faces) faces[own].push_back(face.idx());
+    for (const auto h : model.mesh.fh_range(face))
+      if (model.mesh.is_boundary(model.mesh.opposite_halfedge_handle(h))) is_open[own] = 1;
+  }
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (faces[k].empty() || is_open[k] || faces[k].size() > most_faces || !is_flat(model.mesh, faces[k])) continue;
+    for (const int f : faces[k]) gone[static_cast<std::size_t>(model.soup_face[static_cast<std::size_t>(f)])] = 1;
+  }
+  counts.duplicate_faces += remove(soup, gone);
+}
+
 /// Bodies whose faces look inward are turned. The soup is an oriented manifold.
 void turn_outward(TriangleSoup& soup, RepairCounts& counts) {
   const SurfaceModel model = make_surface_model(soup);
@@ -326,6 +373,7 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
         break;
       case Defect::non_manifold:
         separate(result.soup, counts);
+        if (counts.separated_edges > 0) remove_flat_bodies(result.soup, counts);
         turn_outward(result.soup, counts);
         // Copies that this made may be one fan with what lies beside them now. They are not counted: they were one before.
         for (int k = 0; defects.contains(Defect::coincident_points) && k < most_joins_of_separated; ++k) {
@@ -337,6 +385,7 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
       case Defect::overlaps:
         if (!defects.contains(Defect::non_manifold)) {
           separate(result.soup, counts);
+          if (counts.separated_edges > 0) remove_flat_bodies(result.soup, counts);
           turn_outward(result.soup, counts);
         }
         unite(result.soup, counts, cancel);

@@ -19,7 +19,8 @@ enum class Defect {
   /// their area stay whole where they overlap each other, and where something open crosses them.
   intersections,
   /// Edges of more than two faces, fans that meet at a vertex: separated. Faces are turned to agree, and those of bodies
-  /// that are closed but for small holes to look outward (inverted_shells.h).
+  /// that are closed but for small holes to look outward (inverted_shells.h). A face that two bodies have in common, which is left
+  /// as a closed piece without volume, is removed, and counted among duplicate faces.
   non_manifold,
   overlaps,   ///< closed bodies that overlap: united (unite_bodies.h)
   handles,    ///< of a few edges: cut open, which leaves two holes each to be filled

@@ -111,6 +111,7 @@ def fill(
     solver: Solver = "auto",
     stitch: Union[bool, float, str] = False,
     auto: bool = False,
+    turn_around: bool = False,
     repair: bool = False,
     cut_intersections: bool = False,
     union: bool = False,
@@ -139,7 +140,7 @@ def fill(
         faces: with vertices: (m, 3), whole numbers from 0 to n − 1, counter-clockwise seen from outside.
         loops: the loops to fill, as boundary_loops() gives them, or their numbers; None: all holes. A mapping such as {3: "flat",
             7: "tangent", 8: None}, or the text "3:flat,7:tangent,8", also says how the patch meets the scan there: "flat" is a
-            plane or minimal surface, "smooth" has the curvature of the scan.
+            plane or minimal surface, "smooth" has the curvature of the scan; the text "all:flat" says it for all holes.
         at_vertices: vertex numbers; the loops through them are filled, beside those that `loops` names.
         max_edges: leaves loops with more edges, 1 or more.
         max_diameter: leaves wider loops; a length greater than 0.
@@ -170,6 +171,7 @@ def fill(
             ``stitch=0.5``; or within a part of the edges, as in ``stitch="5%"``.
         auto: does first what this mesh needs, and nothing else: stitch where boundaries nearly coincide, repair where loops run
             along edges of more than two faces, trim_crossing where no patch could be valid.
+        turn_around: turns all faces round first, as those of a scan that is inside out.
         repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled. Bodies that are
             closed but for small holes stay whole where they overlap.
@@ -215,7 +217,8 @@ def fill(
         "at_vertices": _numbers(at_vertices), "max_edges": max_edges, "max_diameter": max_diameter,
         "all_but_largest": all_but_largest,
         "include_outer_rim": include_outer_rim, "islands": islands, "mirror": mirror,
-        "mirror_plane": None if mirror_plane is None else [float(x) for x in mirror_plane], "stitch": stitch, "auto": auto, "repair": repair,
+        "mirror_plane": None if mirror_plane is None else [float(x) for x in mirror_plane], "stitch": stitch, "auto": auto,
+        "turn_around": turn_around, "repair": repair,
         "cut_intersections": cut_intersections, "union": union, "cut_handles": cut_handles, "cut_no_data": cut_no_data,
         "base": None if base is None else f"{base[0]}:{base[1]}" if isinstance(base, tuple) else str(base),
         "bridges": [(int(a), int(b)) for a, b in bridges],

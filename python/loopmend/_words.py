@@ -8,7 +8,7 @@ from typing import Iterator
 
 from loopmend import _core
 
-_FLAGS = {"include-outer-rim", "repair", "stitch", "auto", "trim-crossing", "cut-intersections", "union", "cut-handles", "cut-no-data",
+_FLAGS = {"include-outer-rim", "repair", "stitch", "auto", "turn-around", "trim-crossing", "cut-intersections", "union", "cut-handles", "cut-no-data",
           "mirror", "weld", "open", "patches-only", "keep-partial"}
 _NAMES = {"at-vertex": "at_vertices", "bridge": "bridges", "draw-edge": "drawn_edges", "stop-edge": "stopped_edges", "double": "all_digits=True"}
 _OPTION = re.compile(r"--([a-z]+(?:-[a-z]+)*)(?: (exact|robust|auto|round|smooth|continued|mmcvf|wf|sdf|mcf|none|steady|steps|"

@@ -53,7 +53,7 @@ void take_stitch(const py::object& stitch, PrepareOptions& prepare) {
 
 LoopSelection loop_selection(const py::dict& options) {
   LoopSelection loops;
-  if (const auto text = option<std::optional<std::string>>(options, "loops")) loops.numbers = loop_numbers_of(*text);
+  if (const auto text = option<std::optional<std::string>>(options, "loops")) take_loops(*text, loops);
   if (const auto vertices = option<std::optional<std::vector<int>>>(options, "at_vertices")) {
     if (vertices->empty()) throw InvalidArgument(say("at_vertices names no vertex"));
     loops.at_vertices = *vertices;
@@ -71,6 +71,7 @@ PrepareOptions prepare_options(const py::dict& options) {
   const bool cut_intersections = option<bool>(options, "cut_intersections");
   const bool cut_handles = option<bool>(options, "cut_handles");
   const bool unite = option<bool>(options, "union");
+  if (option<bool>(options, "turn_around")) prepare.sides = PrepareOptions::Sides::turned;
   if (option<bool>(options, "auto")) prepare.extent = PrepareOptions::Extent::where_needed;
   if (option<bool>(options, "repair") || cut_intersections || cut_handles || unite) prepare.repair = harmless_repairs;
   if (cut_intersections) prepare.repair.insert(Defect::intersections);

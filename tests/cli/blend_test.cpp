@@ -63,6 +63,23 @@ TEST_F(CliBlend, ARingThatIsMissingInOneFileByNumbers) {
   EXPECT_EQ(info["loops"].size(), 2u);
 }
 
+/// Of sheets side by side only a strip between them makes sense.
+TEST_F(CliBlend, AGapBetweenSheetsIsRefusedWithTheCommandThatClosesIt) {
+  TriangleSoup left = make_graph([](double, double) { return 0; }, 1, 20), right = left;
+  for (Vec3& p : right.points) p.x() += 2.15;
+  write("sheets.ply", joined({left, right}));
+  const Outcome refused = blend(path("sheets.ply"));
+  EXPECT_EQ(refused.code, 1);
+  const std::size_t begin = refused.err.find("'loopmend fill --bridge");
+  ASSERT_NE(begin, std::string::npos) << refused.err;
+  const std::size_t options = begin + std::string("'loopmend fill ").size();
+  const std::string bridges = refused.err.substr(options, refused.err.find('\'', options) - options);
+  const Outcome filled = loopmend_program("fill " + path("sheets.ply") + "-o " + path("out.ply") + bridges);
+  EXPECT_EQ(filled.code, 0) << filled.err;
+  EXPECT_THAT(filled.out, HasSubstr("1 filled, 0 failed, 1 left as asked"));
+  for (const Vec3& p : read_mesh(work / "out.ply").soup.points) EXPECT_NEAR(p.z(), 0, 1e-9);
+}
+
 TEST_F(CliBlend, AnInsideOutPartIsTurnedRoundAndSaid) {
   TriangleSoup turned = side;
   for (Triangle& t : turned.triangles) std::swap(t[1], t[2]);

@@ -29,6 +29,14 @@ using testing::HasSubstr;
 using testing::Not;
 using json = nlohmann::json;
 
+/// What a message says between 'loopmend fill' or 'loopmend blend' and the quotation mark.
+std::string advised(const std::string& text) {
+  const std::size_t begin = text.find("'loopmend ");
+  if (begin == std::string::npos) return "";
+  const std::size_t first = begin + std::string("'loopmend ").size();
+  return text.substr(first, text.find('\'', first) - first);
+}
+
 class PreparationCommands : public test::ProgramTest {
  protected:
   Outcome info(const std::string& name, const std::string& options = "") {
@@ -406,6 +414,61 @@ TEST_F(PreparationCommands, ClosedBodiesThatOverlapStayClosed) {
     EXPECT_EQ(written().open_edges, 0U) << options;
     EXPECT_GT(written().volume, 8) << options;
   }
+}
+
+TEST_F(PreparationCommands, ThePlateWithoutItsEdgeIsNamedAndTheCommandClosesIt) {
+  TriangleSoup top = make_graph([](double, double) { return 0; }, 1, 20), bottom = top;
+  for (Vec3& p : top.points) p.z() = 0.1;
+  for (Triangle& t : bottom.triangles) std::swap(t[1], t[2]);
+  write("plate.ply", joined({top, bottom}));
+  const Outcome run = fill("plate.ply");
+  EXPECT_EQ(run.code, 0);
+  const std::string command = advised(run.out);
+  ASSERT_EQ(command, "blend --loops 1:1,1:2") << run.out;
+  EXPECT_EQ(loopmend_program(command + " " + path("plate.ply") + "-o " + path("out.ply")).code, 0);
+  EXPECT_TRUE(written().printable());
+  EXPECT_NEAR(written().volume, 0.4, 1e-9);
+}
+
+TEST_F(PreparationCommands, AnOpenScanInsideOutIsNamedAndTurnedAround) {
+  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.75; });
+  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+  write("head.ply", soup);
+  EXPECT_THAT(info("head.ply").out, HasSubstr("1 open body looks inward"));
+  EXPECT_THAT(fill("head.ply").out, HasSubstr("fill --turn-around turns all faces"));
+  const Outcome run = fill("head.ply", "--turn-around --report " + path("report.json"));
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, Not(HasSubstr("looks inward")));
+  EXPECT_TRUE(written().printable());
+  EXPECT_GT(written().volume, 3.5);
+  std::ifstream report(work / "report.json");
+  EXPECT_EQ(json::parse(report)["prepared"]["sides_turned"], soup.triangles.size());
+}
+
+TEST_F(PreparationCommands, TilesThatAbutOrOverlapAreNamedInOneSentence) {
+  const auto two_tiles = [&](double begin) {
+    const auto height = [](double x, double y) { return 0.1 * std::sin(2 * x) * std::cos(y); };
+    TriangleSoup second = make_graph([&](double x, double y) { return height(x + begin, y) + 1e-4; }, 1, 20);
+    for (Vec3& p : second.points) p.x() += begin;
+    write("tiles.ply", joined({make_graph(height, 1, 20), second}));
+  };
+  two_tiles(2);
+  EXPECT_THAT(fill("tiles.ply").out,
+              HasSubstr("2 outlines of sheets run beside others: tiles that abut; fill --stitch"));
+  EXPECT_THAT(fill("tiles.ply", "--stitch").out, Not(HasSubstr("tiles")));
+  EXPECT_EQ(open_edges_written(), 6 * 20);
+  two_tiles(1.3);
+  EXPECT_THAT(fill("tiles.ply").out, HasSubstr("2 outlines of sheets run over another one: tiles that overlap"));
+  EXPECT_THAT(info("tiles.ply").out, HasSubstr("tiles that overlap"));
+}
+
+TEST_F(PreparationCommands, AllHolesAreClosedFlat) {
+  write("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return std::abs(p.z()) > 0.8; }));
+  EXPECT_EQ(fill("ball.ply", "--loops all:flat").code, 0);
+  double highest = 0;
+  for (const Vec3& p : read_mesh(work / "out.ply").soup.points) highest = std::max(highest, std::abs(p.z()));
+  EXPECT_LT(highest, 0.82);
+  EXPECT_EQ(fill("ball.ply", "--loops all:round").code, 2);
 }
 
 }  // namespace

@@ -29,6 +29,14 @@ const std::string ply_text =
     "view\nend_header\n"
     "0 0 0 0 0 1 1 2 3 0.5 0\n1 0 0 0 0 1 4 5 6 0.25 1 7\n0 1 0 0 0 1 7 8 9 0 0\n1 1 0 0 0 1 7 8 9 0 0\n"
     "3 0 1 2 6 0 0 1 0 0 1 9 9 9 4\n3 1 3 2 6 1 0 1 1 0 1 8 8 8 5\n3.5\n";
+/// Texture coordinates of vertices, under the names that programs use.
+std::string ply_with_vertex_texture(const std::string& s, const std::string& t) {
+  return "ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 4\nproperty float x\nproperty float y\n"
+         "property float z\nproperty float " +
+         s + "\nproperty float " + t +
+         "\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0 0 0\n1 0 0 1 0.25\n0 1 0 0 1\n1 1 0 1 1\n3 0 1 2\n3 1 3 2\n";
+}
 const std::string obj_text =
     "mtllib skin.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 1 0 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nvn 0 "
     "0 1\n"
@@ -55,6 +63,8 @@ class FormatPairs : public ::testing::Test {
  protected:
   FormatPairs() {
     write_bytes(folder_ / "rich.ply", ply_text);
+    write_bytes(folder_ / "st.ply", ply_with_vertex_texture("s", "t"));
+    write_bytes(folder_ / "uv.ply", ply_with_vertex_texture("texture_u", "texture_v"));
     write_bytes(folder_ / "rich.obj", obj_text);
     write_bytes(folder_ / "skin.mtl", "newmtl skin\nKd 1 1 1\nNs 10\nmap_Kd skin.png\n");
     write_bytes(folder_ / "rich.off", off_text);
@@ -101,15 +111,18 @@ class FormatPairs : public ::testing::Test {
   static bool shows_a_picture(const TriangleSoup& soup) {
     const TextureFiles files(*soup.attributes, soup.attributes->file.parent_path());
     const auto path = files.picture_of(0);
-    return path && files.read(*path).width == ramp().width && soup.attributes->texture.count() > 0;
+    const auto has_vertex = [&](const char* name) { return find_column(soup.attributes->points, name) != nullptr; };
+    const bool has_coordinates =
+        soup.attributes->texture.count() > 0 || (has_vertex("s") && has_vertex("t")) || has_vertex("texture_v");
+    return path && files.read(*path).width == ramp().width && has_coordinates;
   }
 
   TemporaryFolder folder_;
 };
 
 TEST_F(FormatPairs, NothingIsLostWithoutAWord) {
-  for (const char* from :
-       {"rich.ply", "rich.obj", "rich.off", "rich.glb", "rich.3mf", "text.stl", "binary.stl", "rich.vtp"})
+  for (const char* from : {"rich.ply", "st.ply", "uv.ply", "rich.obj", "rich.off", "rich.glb", "rich.3mf", "text.stl",
+                           "binary.stl", "rich.vtp"})
     for (const char* to :
          {"out.ply", "out.obj", "out.off", "out.glb", "out.gltf", "out.3mf", "out.stl", "out.vtp", "out.vtk"}) {
       if (!has_polydata() && std::string(from + std::string(to)).find(".vt") != std::string::npos) continue;
@@ -151,6 +164,27 @@ TEST_F(FormatPairs, PicturesOfPlyAndObjGoIntoGltf) {
         EXPECT_EQ(after.attributes->texture.values[at + 1], p.y());
       }
       std::filesystem::rename(folder_ / "elsewhere.png", folder_ / "skin.png");
+    }
+}
+
+/// Coordinates of vertices, not of corners.
+TEST_F(FormatPairs, TextureCoordinatesOfVerticesGoIntoGltf) {
+  for (const char* from : {"st.ply", "uv.ply"})
+    for (const char* to : {"out.glb", "out.gltf"}) {
+      SCOPED_TRACE(std::string(from) + " to " + to);
+      TriangleSoup soup = read_mesh(folder_ / from).soup;
+      write_scan(folder_ / to, soup);
+      EXPECT_TRUE(not_kept_by_format(folder_ / to, soup).empty());
+      const TriangleSoup after = read_mesh(folder_ / to).soup;
+      EXPECT_TRUE(shows_a_picture(after));
+      const CornerValues& texture = after.attributes->texture;
+      ASSERT_EQ(texture.at.size(), 6U);
+      for (std::size_t corner = 0; corner < 6; ++corner) {  // as t is of the vertices (0, 0), (1, 0), (0, 1) and (1, 1)
+        const Vec3& p = after.points[static_cast<std::size_t>(after.triangles[corner / 3][corner % 3])];
+        const auto at = static_cast<std::size_t>(texture.at[corner]);
+        EXPECT_FLOAT_EQ(static_cast<float>(texture.values[2 * at]), static_cast<float>(p.x()));
+        EXPECT_FLOAT_EQ(static_cast<float>(texture.values[2 * at + 1]), p.y() > 0 ? 1.0F : p.x() > 0 ? 0.25F : 0.0F);
+      }
     }
 }
 

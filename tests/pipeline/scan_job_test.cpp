@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 
 namespace loopmend {
 namespace {
@@ -43,6 +44,12 @@ TriangleSoup ball_with_a_fin() {
   return soup;
 }
 
+LoopSelection choice_of(const std::string& text) {
+  LoopSelection selection;
+  take_loops(text, selection);
+  return selection;
+}
+
 TEST(ScanJob, HolesAreChosenAndTheOuterRimIsLeft) {
   const ScanPlan plan = planned(make_sample_scan());
   EXPECT_EQ(count(plan, LoopKind::outer_rim), 1);
@@ -55,7 +62,7 @@ TEST(ScanJob, HolesAreChosenAndTheOuterRimIsLeft) {
 
 TEST(ScanJob, NamedLoopsAreFilledWithTheContinuityThatIsNamed) {
   ScanJob job;
-  job.loops.numbers = loop_numbers_of("2:flat, 1");
+  take_loops("2:flat, 1", job.loops);
   ScanPlan plan = planned(open_ball(), job);
   EXPECT_EQ(plan.choices[0].continuity, std::nullopt);
   EXPECT_EQ(plan.choices[1].continuity, SeamContinuity::position);
@@ -69,15 +76,26 @@ TEST(ScanJob, NamedLoopsAreFilledWithTheContinuityThatIsNamed) {
   EXPECT_LT(highest, 0.05 * loop.diameter);  // a cap of the ball is 0.24 diameters high
 }
 
+TEST(ScanJob, AllLoopsGetTheContinuityThatIsNamedForAll) {
+  ScanJob job;
+  take_loops("all:flat", job.loops);
+  const ScanPlan plan = planned(make_sample_scan(), job);
+  for (std::size_t k = 0; k < plan.loops.size(); ++k) {
+    EXPECT_EQ(plan.choices[k].fill, plan.loops[k].kind == LoopKind::hole);  // as without it
+    EXPECT_EQ(plan.choices[k].continuity, SeamContinuity::position);
+  }
+}
+
 TEST(ScanJob, ALoopOrVertexThatIsNotThereIsRefused) {
   for (const char* numbers : {"3", "0", "1,7:flat"}) {
     ScanJob job;
-    job.loops.numbers = loop_numbers_of(numbers);
+    take_loops(numbers, job.loops);
     EXPECT_THROW(planned(open_ball(), job), InvalidArgument) << numbers;
   }
-  for (const char* text : {"", "1,,2", "one", "1:round", "1.5"})
-    EXPECT_THROW(loop_numbers_of(text), InvalidArgument) << text;
-  EXPECT_TRUE(loop_numbers_of("all").empty());
+  for (const char* text : {"", "1,,2", "one", "1:round", "1.5"}) EXPECT_THROW(choice_of(text), InvalidArgument) << text;
+  EXPECT_THROW(choice_of("all:round"), InvalidArgument);
+  EXPECT_THROW(choice_of("all,3"), InvalidArgument);
+  EXPECT_FALSE(choice_of("all").names_loops());
   ScanJob inside;
   inside.loops.at_vertices = {0, static_cast<int>(open_ball().points.size())};
   EXPECT_THROW(planned(open_ball(), inside), InvalidArgument);

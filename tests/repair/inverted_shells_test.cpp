@@ -107,6 +107,16 @@ TEST(InvertedShells, WhatLiesInAnOpenShellIsLeft) {
   EXPECT_EQ(found.open + found.closed, 0u);
 }
 
+/// Both end at the same height.
+TEST(InvertedShells, TheInnerWallOfACupIsNone) {
+  const auto is_above = [](const Vec3& p) { return p.z() > 0.4; };
+  const TriangleSoup outer = cut(ball(1, {0, 0, 0}, Facing::outward), is_above);
+  const TriangleSoup inner = cut(ball(0.9, {0, 0, 0}, Facing::inward), is_above);
+  EXPECT_EQ(found_in(inner).open, 1U);
+  EXPECT_EQ(found_in(joined({outer, inner})).open, 0U);
+  EXPECT_EQ(found_in(joined({inner, outer})).open, 0U);
+}
+
 TEST(InvertedShells, SheetsHaveNoInside) {
   for (const double height : {-0.5, 0.2, 0.9, -0.9}) {
     TriangleSoup soup = make_graph([&](double x, double y) { return height * std::exp(-4 * (x * x + y * y)); }, 1, 16);

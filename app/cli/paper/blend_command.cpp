@@ -10,9 +10,12 @@
 #include "core/version.h"
 #include "pipeline/blend.h"
 #include "pipeline/continue_attributes.h"
+#include "pipeline/rim_pairs.h"
 
 #include <chrono>
 #include <cstdio>
+#include <optional>
+#include <string>
 
 namespace loopmend {
 
@@ -57,6 +60,21 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
                loops.size(), result.outcome.patch.free_count, to_string(result.outcome.status),
                method_name(result.outcome).c_str(), result.outcome.steps, result.outcome.message.empty() ? "" : ", ",
                result.outcome.message.english().c_str(), path_text(command.output).c_str(), seconds);
+  for (std::size_t k = 0; k < result.outcome.verdicts.size(); ++k)
+    if (const Verdict& verdict = result.outcome.verdicts[k]; !verdict.findings.empty())
+      std::fprintf(out, "loop %s: %s: %s.\n", loops[k].name.c_str(), to_string(verdict.grade),
+                   verdict.message().english().c_str());
+  if (worst(result.outcome.verdicts) == Grade::bad)
+    std::fprintf(out,
+                 "The patch has a fault: another --density may give a sound one; 'loopmend fill' closes each loop.\n");
+}
+
+/// What to do where no surface joins the loops.
+std::string next_step(const OpenedParts& parts, const std::vector<BoundaryLoop>& loops) {
+  if (parts.paths.size() == 1 && loops.size() == 2)
+    if (const std::optional<RimPair> gap = find_gap(parts.joined.model, loops[0], loops[1]))
+      return gap_cure(*gap).english();
+  return "name other loops (--loops), or close each by itself ('loopmend fill')";
 }
 
 }  // namespace
@@ -74,8 +92,8 @@ int run_blend(const BlendCommand& command) {
   SurfaceModel model = parts.joined.model;
   const BlendResult result = blend_loops(model, bare, options_of(command.words), CancelToken());
   if (result.outcome.status == PatchStatus::failed) {
-    std::fprintf(stderr, "loopmend: the loops were not joined: %s. Nothing was written.\n",
-                 result.outcome.message.english().c_str());
+    std::fprintf(stderr, "loopmend: the loops were not joined: %s; %s. Nothing was written.\n",
+                 result.outcome.message.english().c_str(), next_step(parts, bare).c_str());
     return exit_loops_failed;
   }
   continue_attributes(model.soup);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets that lie on each other along a part, as tiles of one scan do.
+#pragma once
+
+#include "mesh/boundary_loops.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace loopmend {
+
+/// How many outlines of sheets lie beside other boundaries, near enough for --stitch, and over other sheets.
+struct TileOutlines {
+  std::size_t abutting = 0, overlapping = 0;
+};
+
+/// How many outlines run over another piece of surface that looks the same way, for a fifth of their length or more and within
+/// an edge's length of it. Outlines that only lie beside another boundary are none of these.
+/// @param loops  all of the model
+std::size_t count_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
+}  // namespace loopmend

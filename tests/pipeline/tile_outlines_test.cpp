@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/tile_outlines.h"
+
+#include "samples/analytic_surfaces.h"
+#include "samples/paper_inputs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace loopmend {
+namespace {
+
+/// Two tiles of one wavy sheet, the second begins so far along x.
+std::size_t of_two_tiles(double begin, double apart) {
+  const auto height = [](double x, double y) { return 0.1 * std::sin(2 * x) * std::cos(y); };
+  const TriangleSoup first = make_graph(height, 1, 20);
+  TriangleSoup second = make_graph([&](double x, double y) { return height(x + begin, y) + apart; }, 1, 23);
+  for (Vec3& p : second.points) p.x() += begin;
+  const SurfaceModel model = make_surface_model(joined({first, second}));
+  return count_overlapping_outlines(model, find_boundary_loops(model));
+}
+
+TEST(TileOutlines, TilesThatLieOnEachOtherAreCounted) {
+  EXPECT_EQ(of_two_tiles(1.2, 0.005), 2U);
+  EXPECT_EQ(of_two_tiles(0.8, 0), 2U);
+}
+
+TEST(TileOutlines, TilesBesideOrFarAboveEachOtherAreNot) {
+  EXPECT_EQ(of_two_tiles(2, 0), 0U);
+  EXPECT_EQ(of_two_tiles(2.1, 0), 0U);
+  EXPECT_EQ(of_two_tiles(1.2, 0.4), 0U);
+}
+
+}  // namespace
+}  // namespace loopmend
