@@ -145,9 +145,8 @@ void FilmDialog::begin_writing() {
 
 void FilmDialog::stop() {
   clock_.stop();
-  if (job_) job_->cancel();
+  drop(job_);
   if (writing_) writing_->end();
-  job_ = nullptr;
   progress_->hide();
   save_->setEnabled(true);
   size_->setEnabled(true);

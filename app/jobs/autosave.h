@@ -27,7 +27,6 @@ class Autosave : public QObject {
 
  public:
   Autosave(const Document& document, const UndoHistory& undo, QObject* parent = nullptr);
-  ~Autosave() override;
 
   void set_delay(int seconds);
   /// How the scene is looked at, for the copy.

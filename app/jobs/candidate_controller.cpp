@@ -56,10 +56,6 @@ CandidateController::CandidateController(Document& document, UndoHistory& undo, 
   connect(&document_, &Document::patch_moved, this, &CandidateController::follow_document);
 }
 
-CandidateController::~CandidateController() {
-  if (job_) job_->cancel();
-}
-
 void CandidateController::compute(int loop) {
   const OpenPatch* patch = document_.patch_of(loop);
   if (!patch || controller_.busy()) return;
@@ -164,15 +160,13 @@ void CandidateController::follow_document() {
 
 void CandidateController::cancel() {
   if (!job_) return;
-  job_->cancel();
-  job_.reset();
+  drop(job_);
   Q_EMIT changed();
 }
 
 void CandidateController::forget() {
   if (loops_.empty()) return;
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   done_ = total_ = 0;
   loops_.clear();
   candidates_.clear();
@@ -181,10 +175,7 @@ void CandidateController::forget() {
   Q_EMIT changed();
 }
 
-bool CandidateController::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool CandidateController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 namespace labels {
 

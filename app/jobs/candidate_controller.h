@@ -23,7 +23,6 @@ class CandidateController : public QObject {
 
  public:
   CandidateController(Document& document, UndoHistory& undo, FillController& controller, QObject* parent = nullptr);
-  ~CandidateController() override;
 
   /// Of the patch that closes this hole. What was computed before is dropped.
   void compute(int loop);

@@ -113,11 +113,6 @@ ComparisonController::ComparisonController(ComparisonSource source, QObject* par
   prepare();
 }
 
-ComparisonController::~ComparisonController() {
-  for (const JobPtr& job : {job_, measuring_})
-    if (job) job->cancel();
-}
-
 void ComparisonController::prepare() {
   job_ = std::make_shared<Job>(this);
   struct Prepared {
@@ -192,8 +187,7 @@ void ComparisonController::drop_distances() {
 }
 
 void ComparisonController::measure() {
-  if (measuring_) measuring_->cancel();
-  measuring_.reset();
+  drop(measuring_);
   if (!start_ || stage_ != Stage::ready) return;
   drop_distances();
   if (!from_) return;
@@ -310,8 +304,7 @@ class ComparisonController::FlowRun {
 
 void ComparisonController::run(const EvolutionOptions& base) {
   if (stage_ != Stage::ready) return;
-  if (measuring_) measuring_->cancel();
-  measuring_.reset();
+  drop(measuring_);
   forget_results();
   job_ = std::make_shared<Job>(this);
   auto post = std::make_shared<Post>(flows_.size());
@@ -362,8 +355,7 @@ void ComparisonController::end(const std::shared_ptr<Post>& post) {
 
 void ComparisonController::stop() {
   if (stage_ != Stage::running) return;
-  job_->cancel();
-  job_.reset();
+  drop(job_);
   for (ComparedRunPtr& flow_run : newest_) {
     if (flow_run->stage != ComparedRun::Stage::moving) continue;
     auto state = std::make_shared<ComparedRun>(*flow_run);
@@ -375,10 +367,6 @@ void ComparisonController::stop() {
   measure();
 }
 
-bool ComparisonController::shut_down(std::chrono::milliseconds at_most) {
-  for (const JobPtr& job : {job_, measuring_})
-    if (job) job->cancel();
-  return tasks_.wait(at_most);
-}
+bool ComparisonController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

@@ -56,7 +56,6 @@ class ComparisonController : public QObject {
 
  public:
   explicit ComparisonController(ComparisonSource source, QObject* parent = nullptr);
-  ~ComparisonController() override;
 
   enum class Stage { preparing, ready, running, failed };
   Stage stage() const { return stage_; }

@@ -19,12 +19,6 @@ FillController::FillController(Document& document, UndoHistory& undo, QObject* p
       document_(document),
       undo_(undo) {}
 
-FillController::~FillController() {
-  if (job_) job_->cancel();
-  if (preview_job_) preview_job_->cancel();
-  if (curvature_job_) curvature_job_->cancel();
-}
-
 JobPtr FillController::begin(Activity activity, const QString& stage) {
   drop_fill_preview();
   job_ = std::make_shared<Job>(this);
@@ -212,8 +206,7 @@ void FillController::preview_fill(const std::set<int>& loops, const FillChoice& 
 }
 
 void FillController::drop_fill_preview() {
-  if (preview_job_) preview_job_->cancel();
-  preview_job_.reset();
+  drop(preview_job_);
   if (!std::exchange(preview_, nullptr)) return;
   Q_EMIT ghosts_changed({});
 }
@@ -331,11 +324,6 @@ void FillController::end_scrub() {
   push(std::move(pairs), tr("Go back on %1").arg(labels::holes(document_, loops)));
 }
 
-bool FillController::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  if (preview_job_) preview_job_->cancel();
-  cancel_curvature();
-  return tasks_.wait(at_most);
-}
+bool FillController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

@@ -81,7 +81,6 @@ class FillController : public QObject {
 
  public:
   FillController(Document& document, UndoHistory& undo, QObject* parent = nullptr);
-  ~FillController() override;
 
   Activity activity() const { return activity_; }
   bool busy() const { return activity_ != Activity::idle; }

@@ -40,10 +40,6 @@ MirrorGuide::MirrorGuide(Document& document, const HoleSelection& selection, Con
   connect(&selection_, &HoleSelection::selection_changed, this, &MirrorGuide::follow);
 }
 
-MirrorGuide::~MirrorGuide() {
-  if (job_) job_->cancel();
-}
-
 void MirrorGuide::watch(Watch what) {
   watch_ = what;
   follow();
@@ -71,8 +67,7 @@ void MirrorGuide::follow() {
 }
 
 void MirrorGuide::stop() {
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   has_failed_ = false;
 }
 
@@ -155,9 +150,6 @@ void MirrorGuide::use(Use use) {
   Q_EMIT changed();
 }
 
-bool MirrorGuide::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool MirrorGuide::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

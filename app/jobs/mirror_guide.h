@@ -22,7 +22,6 @@ class MirrorGuide : public QObject {
  public:
   using ContextOf = std::function<ScanContextPtr(int scan)>;
   MirrorGuide(Document& document, const HoleSelection& selection, ContextOf context_of, QObject* parent = nullptr);
-  ~MirrorGuide() override;
 
   /// The open holes that are selected, else the largest ones.
   struct Fit {

@@ -44,10 +44,6 @@ ProblemController::ProblemController(Document& document, FillController& control
   connect(&document_, &Document::opened, this, &ProblemController::discard);
 }
 
-ProblemController::~ProblemController() {
-  if (job_) job_->cancel();
-}
-
 void ProblemController::go_to(Stage stage, const QString& words) {
   stage_ = stage;
   words_ = words;
@@ -55,8 +51,7 @@ void ProblemController::go_to(Stage stage, const QString& words) {
 }
 
 void ProblemController::forget() {
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   base_.reset();
   posed_.reset();
   start_shape_.reset();
@@ -214,8 +209,7 @@ void ProblemController::on_solved(std::shared_ptr<const Solution> solution, cons
 
 void ProblemController::cancel() {
   if (!busy()) return;
-  job_->cancel();
-  job_.reset();
+  drop(job_);
   if (!posed_) {
     discard();
     return;
@@ -267,9 +261,6 @@ QString ProblemController::adopt(const ComparedRun& flow_run) {
   return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(flow_run.flow));
 }
 
-bool ProblemController::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool ProblemController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

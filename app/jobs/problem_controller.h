@@ -37,7 +37,6 @@ class ProblemController : public QObject {
 
  public:
   ProblemController(Document& document, FillController& controller, QObject* parent = nullptr);
-  ~ProblemController() override;
 
   enum class Stage { none, posing, posed, evolving, solved };
   Stage stage() const { return stage_; }

@@ -17,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace loopmend {
 
@@ -66,6 +67,11 @@ class Job {
 using JobPtr = std::shared_ptr<Job>;
 
 /// How far workers, and the threads that they start, step back behind the window's thread when both want the processor.
+/// Gives the job up, where there is one, and forgets it.
+inline void drop(JobPtr& job) {
+  if (job) std::exchange(job, nullptr)->cancel();
+}
+
 enum class Yielding {
   mostly,     ///< the window is smooth, and the work goes on beside it
   as_it_can,  ///< many workers at once, which together would still keep the window waiting
@@ -91,6 +97,7 @@ class TaskRunner {
  public:
   explicit TaskRunner(Yielding yielding = Yielding::mostly) : yielding_(yielding) {}
   ~TaskRunner();
+  /// Gives every job up, and waits for all of them.
   TaskRunner(const TaskRunner&) = delete;
   TaskRunner& operator=(const TaskRunner&) = delete;
 
@@ -112,10 +119,13 @@ class TaskRunner {
   /// @returns whether every job has ended within the time.
   bool wait(std::chrono::milliseconds at_most);
 
+  /// The same, after every job was given up.
+  bool stop(std::chrono::milliseconds at_most);
  private:
   struct Worker {
     std::thread thread;
     std::shared_ptr<std::atomic<bool>> done;
+    JobPtr job;
   };
   void reap();
 
