@@ -87,16 +87,14 @@ HoleState Document::state(int loop) const {
 const Verdict* Document::verdict(int loop) const {
   const OpenPatch* patch = patch_of(loop);
   if (!patch) return nullptr;
-  const auto at =
-      static_cast<std::size_t>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  const std::size_t at = patch->place_of(loop);
   return at < patch->state->verdicts.size() ? &patch->state->verdicts[at] : nullptr;
 }
 
 ExpectedDeviation Document::deviation(int loop) const {
   const OpenPatch* patch = patch_of(loop);
   if (!patch) return {};
-  const auto at =
-      static_cast<std::size_t>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  const std::size_t at = patch->place_of(loop);
   const std::vector<ExpectedDeviation>& all = patch->state->deviation.loops;
   return at < all.size() ? all[at] : ExpectedDeviation();
 }

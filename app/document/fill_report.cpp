@@ -63,8 +63,7 @@ FillReport::Hole hole_of(const Document& document, int loop) {
   if (document.state(loop) == HoleState::cutting) add(labels::state_help(HoleState::cutting));
   add(tr("Boundary of %1 edges, %2 in diameter.")
           .arg(labels::count(static_cast<std::size_t>(boundary.edges())), labels::length(document, boundary.diameter)));
-  const auto place =
-      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
+  const std::size_t place = patch.place_of(loop);
   if (place < state.seams.size() && place < state.seams_before.size())
     add(labels::seam_sentence(state.seams_before[place], state.seams[place], state.status,
                               verdict ? verdict->grade : Grade::good));

@@ -8,6 +8,7 @@
 #include "pipeline/patch_result.h"
 #include "scene/surface_shape.h"
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
@@ -106,4 +107,9 @@ struct OpenPatch {
 
 inline std::set<int> loops_of(const OpenPatch& patch) { return {patch.loops.begin(), patch.loops.end()}; }
 
+
+  /// Of a loop of the document, among those of the patch; past their end where it is none of them.
+  std::size_t place_of(int loop) const {
+    return static_cast<std::size_t>(std::find(loops.begin(), loops.end(), loop) - loops.begin());
+  }
 }  // namespace loopmend

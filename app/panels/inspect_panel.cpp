@@ -216,13 +216,10 @@ void InspectPanel::update_curves(int loop) {
   const OpenPatch* patch = loop == no_loop ? nullptr : document_.patch_of(loop);
   const OpenPatch* run = document_.patch(run_);
   const OpenPatch* followed = run && patch ? run : patch;
-  int place = 0;
-  if (followed && followed == patch)
-    place = static_cast<int>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  const int place = followed && followed == patch ? static_cast<int>(patch->place_of(loop)) : 0;
   energy_->show_run(followed);
   section_->show_patch(followed, place);
-  const std::set<int> holes =
-      followed ? std::set<int>(followed->loops.begin(), followed->loops.end()) : std::set<int>();
+  const std::set<int> holes = followed ? loops_of(*followed) : std::set<int>();
   curve_hole_->setText(holes.empty() ? QString() : labels::sentence(labels::holes(document_, holes)));
 }
 
@@ -248,8 +245,7 @@ void InspectPanel::update_seam() {
   }
   const int first = loops.front();
   const OpenPatch& patch = *document_.patch_of(first);
-  const auto at =
-      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), first) - patch.loops.begin());
+  const std::size_t at = patch.place_of(first);
   if (at >= patch.state->seams.size()) return;
   const Verdict* verdict = document_.verdict(first);
   QString text = labels::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status,
@@ -263,8 +259,7 @@ void InspectPanel::update_seam() {
 
 void InspectPanel::fill_row(int row, int loop) {
   const OpenPatch& patch = *document_.patch_of(loop);
-  const auto at =
-      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
+  const std::size_t at = patch.place_of(loop);
   for (int column = 0; column < column_count; ++column) {
     QString text;
     if (column == hole) {
