@@ -37,6 +37,8 @@ struct RunRecipe {
     whole,        ///< as far as it goes
     after_steps,  ///< stopped by a person after `steps`
     unnamed,      ///< stopped where no option of the command line can stop
+
+  bool operator==(const RunRecipe&) const = default;
   } end = End::whole;
 };
 
@@ -61,6 +63,8 @@ struct PatchRecipe {
     holes,   ///< each loop closed by a patch of its own
     bridge,  ///< a hole and the islands in it joined by one patch
   } start = Start::holes;
+
+  bool operator==(const PatchRecipe&) const = default;
   std::vector<RunRecipe> runs;
 };
 
