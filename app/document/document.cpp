@@ -206,7 +206,7 @@ void Document::put_scan(int index, std::shared_ptr<OpenedScan> scan) {
   Q_EMIT scans_changed();
 }
 
-void Document::set_shape(int scan, std::shared_ptr<const SurfaceShape> shape) {
+void Document::set_shape(int scan, SurfaceShapePtr shape) {
   const auto at = static_cast<std::size_t>(scan);
   if (at >= slots_.size() || !slots_[at].scan) return;
   slots_[at].scan->shape = std::move(shape);

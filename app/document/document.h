@@ -89,8 +89,8 @@ class Document : public QObject {
   int add_scan(std::shared_ptr<OpenedScan> scan);
   void take_scan(int index);
   void put_scan(int index, std::shared_ptr<OpenedScan> scan);
-  std::shared_ptr<OpenedScan> held_scan(int index) const { return slots_[static_cast<std::size_t>(index)].scan; }
-  void set_shape(int scan, std::shared_ptr<const SurfaceShape> shape);
+  std::shared_ptr<OpenedScan> held_scan(int index) const { return slots_[index].scan; }
+  void set_shape(int scan, SurfaceShapePtr shape);
 
   /// As chosen, else as the scan's file has it; empty: not known.
   std::string unit(int scan) const;

@@ -76,7 +76,7 @@ struct BoundaryKnowledge {
 
 /// What the engine made, and what is shown of it. Without the history of steps: the timeline holds the states themselves.
 struct PatchState : PatchResult {
-  std::shared_ptr<const SurfaceShape> shape;
+  SurfaceShapePtr shape;
   PatchRecipe recipe;                                 ///< `steps` counts from the initial patch on
   StepRecord last_step;                               ///< meaningful when steps > 0
   std::shared_ptr<const BoundaryKnowledge> boundary;  ///< the same for all states of a patch; null: not asked for

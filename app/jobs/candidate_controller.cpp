@@ -14,8 +14,7 @@ namespace loopmend {
 namespace {
 
 /// The faces of the scan that lie near the holes.
-std::shared_ptr<const SurfaceShape> surface_around(const SurfaceShape& scan, const std::vector<BoundaryLoop>& loops,
-                                                   const Vec3& origin) {
+SurfaceShapePtr surface_around(const SurfaceShape& scan, const std::vector<BoundaryLoop>& loops, const Vec3& origin) {
   constexpr double reach = 1.0;  // diameters of the box around the loops, beyond it
   Eigen::AlignedBox3d box;
   for (const BoundaryLoop& loop : loops) {

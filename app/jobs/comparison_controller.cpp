@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/comparison_controller.h"
 
-#include "analysis/curvature_field.h"
 #include "analysis/surface_distance.h"
 #include "io/read_mesh.h"
 #include "jobs/near_shape.h"
@@ -22,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 std::shared_ptr<ComparedRun> seen(const Patch& patch, int edge, const Vec3& origin) {
   auto state = std::make_shared<ComparedRun>();
   state->patch = patch;
-  state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+  state->shape = shape_of(patch, origin);
   state->seams = seam_reports(patch);
   state->wide_jump = std::numeric_limits<double>::quiet_NaN();
   if (!patch.loops.empty()) state->profile = profile_across(patch, edge);
@@ -116,7 +115,7 @@ ComparisonController::ComparisonController(ComparisonSource source, QObject* par
 void ComparisonController::prepare() {
   job_ = std::make_shared<Job>(this);
   struct Prepared {
-    std::shared_ptr<const SurfaceShape> close;
+    SurfaceShapePtr close;
     ComparedRunPtr start;
   };
   tasks_.run(

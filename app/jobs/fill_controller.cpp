@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/fill_controller.h"
 
-#include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/message_words.h"
@@ -198,7 +197,7 @@ void FillController::preview_fill(const std::set<int>& loops, const FillChoice& 
       job, [job, run = std::move(run), recorder] { return fill_patches(run, *recorder, *job); },
       [this, request, recorder](const FillOutcome& outcome) {
         preview_ = std::make_shared<FillPreview>(FillPreview{request.loops, request.choice, recorder->take(), outcome});
-        std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
+        std::vector<SurfaceShapePtr> ghosts;
         for (const auto& [where, run_there] : preview_->runs) ghosts.push_back(run_there.steps.back()->shape);
         Q_EMIT ghosts_changed(ghosts);
       },
@@ -243,8 +242,7 @@ void FillController::adopt(OpenPatch patch) {
       job,
       [patch, scan_context = context_of(patch.scan), origin = document_.origin()] {
         auto state = std::make_shared<PatchState>(*patch.state);
-        state->shape = std::make_shared<SurfaceShape>(
-            shape_of(state->patch, curvature_field(state->patch), origin, scan_context->colors()));
+        state->shape = shape_of(state->patch, origin, scan_context->colors());
         show_deviation(*state);
         return judged(std::move(state), &patch.timeline->front()->patch, *scan_context);
       },

@@ -7,7 +7,6 @@
 #include "jobs/fill_controller.h"
 #include "jobs/state_making.h"
 
-#include "analysis/curvature_field.h"
 #include "core/error.h"
 
 #include <QDir>
@@ -89,7 +88,7 @@ int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
   return index;
 }
 
-void FillController::show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape) {
+void FillController::show_color(const OpenedScanPtr& scan, SurfaceShapePtr shape) {
   scan->shape = shape;  // undo may bring it back
   for (int index : document_.scans())
     if (document_.held_scan(index) == scan) document_.set_shape(index, shape);
@@ -120,7 +119,7 @@ void FillController::compute_next_curvature() {
   const JobPtr job = curvature_job_ = std::make_shared<Job>(this);
   tasks_.run(
       job, [scan, job] { return colored_shape(*scan, job->token()); },
-      [this, scan](const std::shared_ptr<const SurfaceShape>& shape) {
+      [this, scan](const SurfaceShapePtr& shape) {
         show_color(scan, shape);
         compute_next_curvature();
       },
@@ -193,8 +192,7 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
   for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
     if (const int own = state->patch.view_vertex[static_cast<std::size_t>(v)]; own < 0 || own >= vertices)
       refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
-  state->shape =
-      std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), origin, scan.colors));
+  state->shape = shape_of(state->patch, origin, scan.colors);
   show_deviation(*state);
   state->boundary = boundary_knowledge(state->patch);
   patch.state = state;

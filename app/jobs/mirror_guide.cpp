@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/mirror_guide.h"
 
-#include "analysis/curvature_field.h"
 #include "document/targets.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
@@ -23,8 +22,7 @@ MirrorGuide::Fit fit_of(ScanContext& context, int loop, const BoundaryLoop& boun
   const PatchResult made =
       mirrored_patch({context.index(), *initial.patch, {boundary}, &planes}, EvolutionOptions{}, cancel);
   result.fit = made.mirror;
-  if (made.mirror.is_proposed() && is_filled(made.status))
-    result.ghost = std::make_shared<SurfaceShape>(shape_of(made.patch, curvature_field(made.patch), origin));
+  if (made.mirror.is_proposed() && is_filled(made.status)) result.ghost = shape_of(made.patch, origin);
   return result;
 }
 

@@ -27,7 +27,7 @@ class MirrorGuide : public QObject {
   struct Fit {
     int loop = 0;
     MirrorFit fit;
-    std::shared_ptr<const SurfaceShape> ghost;  ///< the patch that would be copied; null: it does not fit
+    SurfaceShapePtr ghost;  ///< the patch that would be copied; null: it does not fit
   };
 
   enum class Watch { nothing, scan };

@@ -13,8 +13,7 @@ constexpr double reach = 1.5;        ///< patch sizes around the patch's middle
 
 }  // namespace
 
-std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const SurfaceShape>& shape, const Patch& patch,
-                                               const Vec3& origin) {
+SurfaceShapePtr near_shape(const SurfaceShapePtr& shape, const Patch& patch, const Vec3& origin) {
   if (static_cast<int>(shape->triangles.size() / 3) <= small_enough || patch.free_count == 0) return shape;
   Eigen::AlignedBox3d box;
   for (int i = 0; i < patch.vertex_count(); ++i)
@@ -30,7 +29,7 @@ std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const Surfa
   return without_triangles(*shape, left_out);
 }
 
-std::shared_ptr<const SurfaceShape> without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out) {
+SurfaceShapePtr without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out) {
   std::vector<int> kept, number;
   for (std::size_t t = 0; t < shape.triangles.size() / 3; ++t)
     if (t >= left_out.size() || !left_out[t]) kept.push_back(static_cast<int>(t));

@@ -12,7 +12,7 @@
 namespace loopmend {
 namespace {
 
-std::shared_ptr<const SurfaceShape> colored(const SurfaceModel& model, const Vec3& origin) {
+SurfaceShapePtr colored(const SurfaceModel& model, const Vec3& origin) {
   return std::make_shared<SurfaceShape>(with_curvature(shape_of(model.mesh, origin), curvature_field(model.mesh)));
 }
 
@@ -61,7 +61,7 @@ ProblemBase make_base(const BaseParts& parts) {
   return base;
 }
 
-std::shared_ptr<const SurfaceShape> shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles) {
+SurfaceShapePtr shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles) {
   if (soup_triangles.empty()) return base.shape;
   std::vector<char> own(base.model->soup.triangles.size(), 0);
   for (int f : soup_triangles) own[static_cast<std::size_t>(f)] = 1;

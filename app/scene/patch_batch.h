@@ -13,7 +13,7 @@ class PatchBatch {
  public:
   explicit PatchBatch(vtkLookupTable* table) : surface_(SurfaceActor::Role::patch, table) {}
 
-  using Shapes = std::map<int, std::shared_ptr<const SurfaceShape>>;
+  using Shapes = std::map<int, SurfaceShapePtr>;
   /// Joins them again where they are others than before.
   void show(const Shapes& shapes);
   SurfaceActor& surface() { return surface_; }

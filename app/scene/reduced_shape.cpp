@@ -113,7 +113,7 @@ TriangleList in_z_order(const TriangleList& triangles, const std::vector<float>&
 
 }  // namespace
 
-std::shared_ptr<const SurfaceShape> reduced_shape(const SurfaceShape& shape) {
+SurfaceShapePtr reduced_shape(const SurfaceShape& shape) {
   if (shape.triangles.size() / 3 < large_triangles) return nullptr;
   int cells = finest_grid;
   Clusters clusters = clusters_of(shape.points, cells);

@@ -199,9 +199,11 @@ SurfaceShape with_curvature(const SurfaceShape& shape, CurvatureField field) {
   return colored;
 }
 
-SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin,
-                      const std::shared_ptr<const std::vector<Color>>& scan_colors) {
-  SurfaceShape shape;
+SurfaceShapePtr shape_of(const Patch& patch, const Vec3& origin,
+                         const std::shared_ptr<const std::vector<Color>>& scan_colors) {
+  const CurvatureField field = curvature_field(patch);
+  auto made = std::make_shared<SurfaceShape>();
+  SurfaceShape& shape = *made;
   shape.points.resize(3 * patch.positions.size());
   for (std::size_t i = 0; i < patch.positions.size(); ++i)
     put(shape.points, i, patch.to_mesh(patch.positions[i]) - origin);
@@ -209,8 +211,7 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   std::vector<Triangle> shown(patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles);
   std::copy_if(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end(), std::back_inserter(shown),
                [&](const Triangle& t) {
-                 return std::all_of(t.begin(), t.end(),
-                                    [&](int v) { return patch.ring[static_cast<std::size_t>(v)] <= blended_rings; });
+                 return std::all_of(t.begin(), t.end(), [&](int v) { return patch.ring[v] <= blended_rings; });
                });
   shape.triangles = listed(shown);
   shape.normals.resize(shape.points.size());
@@ -220,7 +221,7 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   shape.K = to_floats(field.K);
   shape.scan_colors = scan_colors;
   if (scan_colors) shape.colors = three_bytes(patch_colors(patch, *scan_colors));
-  return shape;
+  return made;
 }
 
 const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading) {
@@ -238,16 +239,15 @@ const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading) 
   return none;
 }
 
-std::shared_ptr<const SurfaceShape> with_deviation(const SurfaceShape& shape,
-                                                   std::span<const double> of_free_vertices) {
+SurfaceShapePtr with_deviation(const SurfaceShape& shape, std::span<const double> of_free_vertices) {
   auto known = std::make_shared<SurfaceShape>(shape);
   known->deviation.assign(of_free_vertices.begin(), of_free_vertices.end());
   if (!known->deviation.empty()) known->deviation.resize(shape.points.size() / 3, 0);
   return known;
 }
 
-std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors& colors, SurfaceShape& view) {
-  std::vector<std::shared_ptr<const SurfaceShape>> parts;
+std::vector<SurfaceShapePtr> colored_parts(const ScanColors& colors, SurfaceShape& view) {
+  std::vector<SurfaceShapePtr> parts;
   if (colors.at_vertices.size() * 3 == view.points.size()) view.colors = three_bytes(colors.at_vertices);
   for (const ColoredPart& part : colors.parts) {
     auto shape = std::make_shared<SurfaceShape>();

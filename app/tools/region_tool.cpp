@@ -151,7 +151,7 @@ void RegionTool::set_vertices(int scan, const std::vector<int>& points) {
   recount();
 }
 
-std::shared_ptr<const SurfaceShape> RegionTool::shape() const {
+SurfaceShapePtr RegionTool::shape() const {
   if (chosen_count_ == 0) return nullptr;
   auto shape = std::make_shared<SurfaceShape>();
   std::vector<int> number(chosen_.size(), -1), corners;

@@ -297,16 +297,15 @@ void MeshView::update_legend_words() {
   impl_->scene.set_legend_words(words);
 }
 
-void MeshView::show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts) {
+void MeshView::show_ghosts(const std::vector<SurfaceShapePtr>& ghosts) {
   impl_->scene.set_ghosts(ghosts);
   redraw();
 }
 
-void MeshView::show_instead(const std::set<int>& loops,
-                            const std::vector<std::shared_ptr<const SurfaceShape>>& shapes) {
+void MeshView::show_instead(const std::set<int>& loops, const std::vector<SurfaceShapePtr>& shapes) {
   if (loops == impl_->hidden_loops && shapes == impl_->instead) return;
   impl_->hidden_loops = loops;
-  impl_->instead = loops.empty() ? std::vector<std::shared_ptr<const SurfaceShape>>() : shapes;
+  impl_->instead = loops.empty() ? std::vector<SurfaceShapePtr>() : shapes;
   show_surfaces();
   redraw();
 }
@@ -316,12 +315,12 @@ std::vector<float> MeshView::line_of_loop(int loop) const {
   return line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
 }
 
-void MeshView::show_marked(std::shared_ptr<const SurfaceShape> shape) {
+void MeshView::show_marked(SurfaceShapePtr shape) {
   impl_->scene.set_marked(std::move(shape));
   redraw();
 }
 
-void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
+void MeshView::show_preview(SurfaceShapePtr shape) {
   if (!std::exchange(impl_->preview_shown, true)) impl_->pose_before = pose_of(impl_->camera());
   impl_->scene.clear();
   impl_->picker.set_loops({});

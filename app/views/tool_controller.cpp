@@ -178,7 +178,7 @@ void ToolController::show_region() {
 /// What would be copied into the holes.
 void ToolController::show_mirrored() {
   if (panel_->tool() != Tool::mirror) return;
-  std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
+  std::vector<SurfaceShapePtr> ghosts;
   for (const MirrorGuide::Fit& one : mirror_guide_->fits())
     if (one.ghost) ghosts.push_back(one.ghost);
   view_.show_ghosts(ghosts);

@@ -229,7 +229,7 @@ void move_cameras(CompareWindow& window, const char* what) {
 }
 
 /// Were there no flows to be computed: two states, to and fro.
-void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const SurfaceShape>, 2>& states) {
+void draw_alone(CompareWindow& window, const std::array<SurfaceShapePtr, 2>& states) {
   const Frames before = frames_of(window);
   QElapsedTimer clock;
   clock.start();
@@ -257,7 +257,7 @@ void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const Su
 }
 
 /// The state, swollen a little.
-std::shared_ptr<const SurfaceShape> swollen(const SurfaceShape& shape) {
+SurfaceShapePtr swollen(const SurfaceShape& shape) {
   auto other = std::make_shared<SurfaceShape>(shape);
   for (float& x : other->points) x *= 1.03F;
   return other;
