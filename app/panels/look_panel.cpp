@@ -207,30 +207,6 @@ void LookPanel::set_look(const Look& look) {
   Q_EMIT look_changed(look_);
 }
 
-void LookPanel::set_shading(Shading shading) {
-  look_.shading = shading;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
-void LookPanel::set_edges(Edges edges) {
-  look_.edges = edges;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
-void LookPanel::set_seams(Seams seams) {
-  look_.seams = seams;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
-void LookPanel::set_color_map(ColorMap map) {
-  look_.map = map;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
 void LookPanel::know_range(double half_width) { range_in_force_ = half_width; }
 
 }  // namespace loopmend
