@@ -97,11 +97,10 @@ CommandPalette::CommandPalette(const std::vector<Group>& groups, QWidget* parent
       known.insert(action);
       entries_.push_back({action, plain(action->text()), plain(group.title)});
     }
-  typed_->setObjectName(QStringLiteral("commandTyped"));
   typed_->setPlaceholderText(tr("Type some letters of a command"));
-  explain(typed_, tr("Find a command"), tr("Type some letters of a command; Return runs the first one"));
-  found_->setObjectName(QStringLiteral("commandList"));
-  explain(found_, tr("Commands"), tr("The commands that fit, the best one first"));
+  explain(typed_, "commandTyped", tr("Find a command"),
+          tr("Type some letters of a command; Return runs the first one"));
+  explain(found_, "commandList", tr("Commands"), tr("The commands that fit, the best one first"));
   found_->setItemDelegate(new EntryDelegate(found_));
   found_->setFocusPolicy(Qt::NoFocus);
   found_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

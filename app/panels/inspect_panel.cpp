@@ -76,8 +76,7 @@ InspectPanel::InspectPanel(const Document& document, const HoleSelection& select
   split->setStretchFactor(0, 3);
   split->setStretchFactor(1, 2);
   split->setSizes({630, 450});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(split);
   soon_.setSingleShot(true);
   soon_.setInterval(refresh_ms);
@@ -92,7 +91,6 @@ InspectPanel::InspectPanel(const Document& document, const HoleSelection& select
 
 QWidget* InspectPanel::build_seam() {
   seam_ = new QTableWidget(0, column_count);
-  seam_->setObjectName(QStringLiteral("seamTable"));
   seam_->setHorizontalHeaderLabels(
       {tr("Hole"), tr("Angle rms"), tr("Angle max"), tr("H jump rms"), tr("H jump max"), tr("H jump \u00b7 size")});
   const char* const help[] = {QT_TR_NOOP("The hole's number"),
@@ -105,7 +103,7 @@ QWidget* InspectPanel::build_seam() {
     seam_->horizontalHeaderItem(c)->setToolTip(tr(help[c]));
     seam_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignVCenter | (c == hole ? Qt::AlignLeft : Qt::AlignRight));
   }
-  explain(seam_, tr("Seams"), tr("How each patch meets the scan, before the flow and now"));
+  explain(seam_, "seamTable", tr("Seams"), tr("How each patch meets the scan, before the flow and now"));
   seam_->setToolTip({});
   seam_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   seam_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -122,8 +120,7 @@ QWidget* InspectPanel::build_seam() {
   sentence_->setAlignment(Qt::AlignTop);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(content);
   layout->addWidget(sentence_);
   layout->addWidget(seam_, 1);
   auto* copy = make_button("copySeam", tr("Copy"), tr("Copy the table as tab-separated text"));
@@ -162,7 +159,6 @@ QWidget* InspectPanel::build_curves() {
   energy_ = new EnergyView;
   section_ = new SectionView;
   tabs_ = new QTabWidget;
-  tabs_->setObjectName(QStringLiteral("inspectTabs"));
   tabs_->setDocumentMode(true);
   tabs_->addTab(energy_, tr("Energy"));
   tabs_->addTab(section_, tr("Section"));
@@ -170,23 +166,21 @@ QWidget* InspectPanel::build_curves() {
   tabs_->setTabToolTip(0, tr("Energy and residual against the step"));
   tabs_->setTabToolTip(1, tr("Mean curvature along a section across the seam"));
   tabs_->setTabToolTip(2, tr("What has happened so far"));
-  explain(tabs_, tr("Energy, section, log"), {});
+  explain(tabs_, "inspectTabs", tr("Energy, section, log"), {});
   curve_hole_ = new QLabel;
-  curve_hole_->setObjectName(QStringLiteral("curveHole"));
   curve_hole_->setContentsMargins(0, 0, 8, 0);
-  explain(curve_hole_, tr("Whose curves"), tr("The hole whose energy and section are drawn"));
+  explain(curve_hole_, "curveHole", tr("Whose curves"), tr("The hole whose energy and section are drawn"));
   tabs_->setCornerWidget(curve_hole_);
   return tabs_;
 }
 
 QWidget* InspectPanel::build_log() {
   log_ = new QPlainTextEdit;
-  log_->setObjectName(QStringLiteral("log"));
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(5000);
   log_->setPlaceholderText(tr("What happens is written down here."));
   log_->setFrameShape(QFrame::NoFrame);
-  explain(log_, tr("Log"), tr("What has happened so far"));
+  explain(log_, "log", tr("Log"), tr("What has happened so far"));
   log_->setToolTip({});
   auto* copy = make_button("copyLog", tr("Copy log"), tr("Copy the whole log"));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(log_->toPlainText()); });

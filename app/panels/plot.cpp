@@ -42,14 +42,12 @@ Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
   words_->setObjectName(QStringLiteral("words"));
   words_->setAlignment(Qt::AlignCenter);
   words_->setMargin(8);
-  auto* over = new QVBoxLayout(plot_);
-  over->setContentsMargins(0, 0, 0, 0);
+  auto* over = make_layout<QVBoxLayout>(plot_);
   over->addWidget(words_);
   auto* marker = new QCPItemStraightLine(plot_);
   marker->setObjectName(QStringLiteral("marker"));
   marker->setVisible(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(plot_);
   take_colors();
 }

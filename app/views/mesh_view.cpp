@@ -65,8 +65,7 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   impl_->canvas->setMouseTracking(true);
   impl_->canvas->setFocusPolicy(Qt::StrongFocus);
   impl_->canvas->installEventFilter(this);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(impl_->canvas);
   impl_->overlay = new ViewOverlay(this);
   impl_->sheet = new ToolSheet(this, [this](QPainter& painter) {
