@@ -235,7 +235,7 @@ void CompareWindow::wire() {
   for (QComboBox* box : {left_, right_})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_wipe);
   for (int flow_run = 0; flow_run < most_views; ++flow_run) {
-    FlowView* flow_view = flow_views_[static_cast<std::size_t>(flow_run)];
+    FlowView* flow_view = flow_views_[flow_run];
     connect(flow_view, &FlowView::flow_chosen, this, [this, flow_run](FlowKind flow) { choose_flow(flow_run, flow); });
     connect(flow_view, &FlowView::accept_wanted, this, [this, flow_run] { accept(flow_run); });
   }
@@ -298,15 +298,15 @@ void CompareWindow::choose_flow(int flow_run, FlowKind flow) {
   std::vector<FlowKind> flows;
   for (int k = 0; k < flow_comparison_.flow_runs(); ++k) flows.push_back(flow_comparison_.flow(k));
   const auto other = std::find(flows.begin(), flows.end(), flow);
-  if (other != flows.end()) *other = flows[static_cast<std::size_t>(flow_run)];
-  flows[static_cast<std::size_t>(flow_run)] = flow;
+  if (other != flows.end()) *other = flows[flow_run];
+  flows[flow_run] = flow;
   flow_comparison_.set_flows(flows);
 }
 
 void CompareWindow::arrange() {
   const int columns = flow_comparison_.flow_runs() == 4 ? 2 : flow_comparison_.flow_runs();
   for (int flow_run = 0; flow_run < most_views; ++flow_run) {
-    FlowView* flow_view = flow_views_[static_cast<std::size_t>(flow_run)];
+    FlowView* flow_view = flow_views_[flow_run];
     grid_->removeWidget(flow_view);
     if (flow_run < flow_comparison_.flow_runs()) grid_->addWidget(flow_view, flow_run / columns, flow_run % columns);
     flow_view->setVisible(flow_run < flow_comparison_.flow_runs());
@@ -330,9 +330,8 @@ void CompareWindow::update_all() {
   if (there) {
     for (FlowCanvas* canvas : canvases()) canvas->set_neighborhood(flow_comparison_.neighborhood());
     for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run) {
-      flow_views_[static_cast<std::size_t>(flow_run)]->show_flow(flow_comparison_.flow(flow_run));
-      flow_views_[static_cast<std::size_t>(flow_run)]->show_flow_run(*flow_comparison_.flow_run(flow_run),
-                                                                     task_.accept_help);
+      flow_views_[flow_run]->show_flow(flow_comparison_.flow(flow_run));
+      flow_views_[flow_run]->show_flow_run(*flow_comparison_.flow_run(flow_run), task_.accept_help);
     }
     if (flow_comparison_.stage() != ComparisonController::Stage::running) update_range();
     if (isVisible() && !std::exchange(faced_, true)) face_patch();
@@ -344,8 +343,7 @@ void CompareWindow::update_all() {
 }
 
 void CompareWindow::update_flow_run(int flow_run) {
-  flow_views_[static_cast<std::size_t>(flow_run)]->show_flow_run(*flow_comparison_.flow_run(flow_run),
-                                                                 task_.accept_help);
+  flow_views_[flow_run]->show_flow_run(*flow_comparison_.flow_run(flow_run), task_.accept_help);
   numbers_->update_flow_run(flow_run);
   if (wiping_->isChecked()) update_wipe();
 }

@@ -164,7 +164,7 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 void CommandPalette::run() {
   const QListWidgetItem* item = found_->currentItem();
   if (!item || !item->flags().testFlag(Qt::ItemIsEnabled)) return;
-  const QPointer<QAction> action = entries_[static_cast<std::size_t>(item->data(entry_role).toInt())].action;
+  const QPointer<QAction> action = entries_[item->data(entry_role).toInt()].action;
   close();
   QTimer::singleShot(0, parentWidget(), [action] {
     if (action) action->trigger();

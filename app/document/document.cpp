@@ -38,7 +38,7 @@ const OpenedScan& Document::first_scan() const {
   return *std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scan != nullptr; })->scan;
 }
 
-bool Document::present(int loop) const { return slots_[static_cast<std::size_t>(scan_of(loop))].scan != nullptr; }
+bool Document::present(int loop) const { return slots_[scan_of(loop)].scan != nullptr; }
 
 const OpenPatch* Document::patch(int id) const {
   const auto it = patch_by_id_.find(id);
@@ -197,12 +197,12 @@ int Document::add_scan(std::shared_ptr<OpenedScan> scan) {
 }
 
 void Document::take_scan(int index) {
-  slots_[static_cast<std::size_t>(index)].scan = nullptr;
+  slots_[index].scan = nullptr;
   Q_EMIT scans_changed();
 }
 
 void Document::put_scan(int index, std::shared_ptr<OpenedScan> scan) {
-  slots_[static_cast<std::size_t>(index)].scan = std::move(scan);
+  slots_[index].scan = std::move(scan);
   Q_EMIT scans_changed();
 }
 

@@ -59,9 +59,9 @@ class Document : public QObject {
 
   const std::vector<BoundaryLoop>& loops() const { return loops_; }
   int loop_count() const { return static_cast<int>(loops_.size()); }
-  const BoundaryLoop& loop(int index) const { return loops_[static_cast<std::size_t>(index)]; }
-  int scan_of(int loop) const { return scan_of_loop_[static_cast<std::size_t>(loop)]; }
-  int first_loop_of(int scan) const { return slots_[static_cast<std::size_t>(scan)].first_loop; }
+  const BoundaryLoop& loop(int index) const { return loops_[index]; }
+  int scan_of(int loop) const { return scan_of_loop_[loop]; }
+  int first_loop_of(int scan) const { return slots_[scan].first_loop; }
   /// Whether the loop's scan is there.
   bool present(int loop) const;
 

@@ -31,7 +31,7 @@ QString tr(const char* text, int n = -1) {
 double area_of(const TriangleSoup& soup) {
   double area = 0;
   for (const Triangle& t : soup.triangles) {
-    const auto corner = [&](std::size_t k) -> const Vec3& { return soup.points[static_cast<std::size_t>(t[k])]; };
+    const auto corner = [&](std::size_t k) -> const Vec3& { return soup.points[t[k]]; };
     area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
   }
   return area;

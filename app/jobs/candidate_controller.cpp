@@ -80,8 +80,7 @@ void CandidateController::compute(int loop) {
         });
         parallel_for(0, static_cast<int>(kinds.size()), 1, [&](int k) {
           if (job->token().cancelled()) return;
-          auto candidate =
-              std::make_shared<Candidate>(make_candidate(task, kinds[static_cast<std::size_t>(k)], job->token()));
+          auto candidate = std::make_shared<Candidate>(make_candidate(task, kinds[k], job->token()));
           job->post([this, candidate] { add(std::move(*candidate)); });
         });
         return true;
@@ -138,7 +137,7 @@ void CandidateController::take(int index) {
       if (old->acceptance == Acceptance::accepted) return;
       pairs.push_back({*old, std::nullopt});
     }
-  const Candidate& chosen = candidates_[static_cast<std::size_t>(index)];
+  const Candidate& chosen = candidates_[index];
   for (OpenPatch patch : chosen.patches) {
     patch.id = document_.next_patch_id();
     patch.acceptance = Acceptance::pending;

@@ -51,19 +51,18 @@ ComparedRunPtr with_distances(const ComparedRun& state, const DistanceSurface& f
   const auto free = static_cast<std::size_t>(patch.free_count);
   std::set<int> boundary;
   for (int f = 0; f < patch.patch_triangles; ++f)
-    for (int v : patch.triangles[static_cast<std::size_t>(f)])
+    for (int v : patch.triangles[f])
       if (v >= patch.free_count) boundary.insert(v);
   Points points;
-  for (int v = 0; v < patch.free_count; ++v)
-    points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
-  for (int v : boundary) points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
+  for (int v = 0; v < patch.free_count; ++v) points.push_back(patch.to_mesh(patch.positions[v]));
+  for (int v : boundary) points.push_back(patch.to_mesh(patch.positions[v]));
   const std::vector<double> distances = signed_distances(points, from.soup, from.tree, cancel);
   measured->distances.assign(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(free));
   auto shape = std::make_shared<SurfaceShape>(*state.shape);
   shape->difference.assign(shape->points.size() / 3, std::numeric_limits<float>::quiet_NaN());
   std::copy(measured->distances.begin(), measured->distances.end(), shape->difference.begin());
   std::size_t next = free;
-  for (int v : boundary) shape->difference[static_cast<std::size_t>(v)] = static_cast<float>(distances[next++]);
+  for (int v : boundary) shape->difference[v] = static_cast<float>(distances[next++]);
   measured->shape = std::move(shape);
   return measured;
 }

@@ -62,7 +62,7 @@ class ComparisonController : public QObject {
   const QString& title() const { return source_.title; }
 
   int flow_runs() const { return static_cast<int>(flows_.size()); }
-  FlowKind flow(int flow_run) const { return flows_[static_cast<std::size_t>(flow_run)]; }
+  FlowKind flow(int flow_run) const { return flows_[flow_run]; }
   /// Two to four flows, none twice. What was reached is forgotten. Nothing happens while they run.
   void set_flows(const std::vector<FlowKind>& flows);
 
@@ -76,8 +76,8 @@ class ComparisonController : public QObject {
   /// Of the neighborhood, those near the patch; may be null.
   const SurfaceShapePtr& neighborhood() const { return neighborhood_; }
   /// The start until the run moves.
-  const ComparedRunPtr& flow_run(int flow_run) const { return newest_[static_cast<std::size_t>(flow_run)]; }
-  const std::vector<ComparisonPoint>& curve(int flow_run) const { return curves_[static_cast<std::size_t>(flow_run)]; }
+  const ComparedRunPtr& flow_run(int flow_run) const { return newest_[flow_run]; }
+  const std::vector<ComparisonPoint>& curve(int flow_run) const { return curves_[flow_run]; }
   /// What `loopmend compare` would tell; once every run has ended.
   const std::optional<FlowComparison>& comparison() const { return comparison_; }
   /// Distances are measured whenever no flow runs. Empty: not at all.

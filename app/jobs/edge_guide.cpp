@@ -36,8 +36,7 @@ std::vector<GuideEdge> edges_of(const OpenedScan& scan, int index, const Boundar
       continue;
     }
     GuideEdge straight{GuideEdge::Kind::not_fitting, index, {}, ends.first, ends.second};
-    for (int point : {ends.first, ends.second})
-      straight.line.push_back(scan.model->soup.points[static_cast<std::size_t>(point)] - origin);
+    for (int point : {ends.first, ends.second}) straight.line.push_back(scan.model->soup.points[point] - origin);
     edges.push_back(std::move(straight));
   }
   return edges;

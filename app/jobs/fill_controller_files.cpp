@@ -190,7 +190,7 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
   auto state = std::make_shared<PatchState>(*saved.state);
   const auto vertices = static_cast<int>(scan.model->soup_vertex.size());
   for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
-    if (const int own = state->patch.view_vertex[static_cast<std::size_t>(v)]; own < 0 || own >= vertices)
+    if (const int own = state->patch.view_vertex[v]; own < 0 || own >= vertices)
       refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
   state->shape = shape_of(state->patch, origin, scan.colors);
   show_deviation(*state);
@@ -238,7 +238,7 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
   for (const SessionScan& wanted : session.scans) restored.units.push_back(wanted.unit);
   for (const SessionPatch& saved : session.patches) {
     if (job->token().cancelled()) return {};
-    const OpenedScan& scan = *restored.scans[static_cast<std::size_t>(saved.scan)];
+    const OpenedScan& scan = *restored.scans[saved.scan];
     restored.patches.push_back(restored_patch(saved, scan, *origin, path));
   }
   return restored;
@@ -280,7 +280,7 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
     for (const Message& problem : scan->color_problems) Q_EMIT logged(labels::in_words(problem));
   }
   for (OpenPatch& patch : restored.patches) {
-    patch.scan = index[static_cast<std::size_t>(patch.scan)];
+    patch.scan = index[patch.scan];
     for (int& loop : patch.loops) loop += document_.first_loop_of(patch.scan);
     patch.id = document_.next_patch_id();
   }

@@ -17,8 +17,7 @@ SurfaceShapePtr near_shape(const SurfaceShapePtr& shape, const Patch& patch, con
   if (static_cast<int>(shape->triangles.size() / 3) <= small_enough || patch.free_count == 0) return shape;
   Eigen::AlignedBox3d box;
   for (int i = 0; i < patch.vertex_count(); ++i)
-    if (patch.ring[static_cast<std::size_t>(i)] <= 1)
-      box.extend(Vec3(patch.to_mesh(patch.positions[static_cast<std::size_t>(i)]) - origin));
+    if (patch.ring[i] <= 1) box.extend(Vec3(patch.to_mesh(patch.positions[i]) - origin));
   const Eigen::Vector3f middle = box.center().cast<float>();
   const auto too_far = static_cast<float>(reach * box.diagonal().norm());
   std::vector<char> left_out(shape->triangles.size() / 3, 0);

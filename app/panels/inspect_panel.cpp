@@ -228,7 +228,7 @@ void InspectPanel::update_seam_soon() {
 void InspectPanel::update_seam() {
   const std::vector<int> loops = shown_loops();
   seam_->setRowCount(static_cast<int>(loops.size()));
-  for (int row = 0; row < static_cast<int>(loops.size()); ++row) fill_row(row, loops[static_cast<std::size_t>(row)]);
+  for (int row = 0; row < static_cast<int>(loops.size()); ++row) fill_row(row, loops[row]);
   update_curves(loops.empty() ? no_loop : loops.front());
   if (loops.empty()) {
     sentence_->setText(!document_.has_scan() ? tr("Open a scan, fill a hole, and its seam is measured here.")

@@ -137,9 +137,7 @@ SurfaceShapePtr reduced_shape(const SurfaceShape& shape) {
   reduced->picture = shape.picture;
   std::vector<int> corners;
   for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3) {
-    const auto cluster = [&](std::size_t k) {
-      return clusters.of_point[static_cast<std::size_t>(shape.triangles[t + k])];
-    };
+    const auto cluster = [&](std::size_t k) { return clusters.of_point[shape.triangles[t + k]]; };
     const int a = cluster(0), b = cluster(1), c = cluster(2);
     if (a != b && b != c && c != a) corners.insert(corners.end(), {a, b, c});
   }

@@ -28,7 +28,7 @@ Points area_weighted_normals(const SurfaceShape& shape) {
     const int a = shape.triangles[t], b = shape.triangles[t + 1], c = shape.triangles[t + 2];
     const Vec3 p = get(shape.points, a);
     const Vec3 n = (get(shape.points, b) - p).cross(get(shape.points, c) - p);
-    for (int v : {a, b, c}) normals[static_cast<std::size_t>(v)] += n;
+    for (int v : {a, b, c}) normals[v] += n;
   }
   for (Vec3& n : normals) {
     const double length = n.norm();
@@ -156,10 +156,10 @@ SurfaceShape parted_at_creases(SurfaceShape shape, double degrees) {
     }
   };
   each_corner([&](const Corner& c) {
-    if (c.normal.dot(get(shape.normals, c.vertex)) < half_cosine) leans[static_cast<std::size_t>(c.vertex)] = 1;
+    if (c.normal.dot(get(shape.normals, c.vertex)) < half_cosine) leans[c.vertex] = 1;
   });
   each_corner([&](const Corner& c) {
-    if (leans[static_cast<std::size_t>(c.vertex)]) corners.push_back(c);
+    if (leans[c.vertex]) corners.push_back(c);
   });
   if (corners.empty()) return shape;
   std::stable_sort(corners.begin(), corners.end(),
@@ -280,7 +280,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
   for (int t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int v = whole.triangles[3 * static_cast<std::size_t>(t) + k];
-      int& n = number[static_cast<std::size_t>(v)];
+      int& n = number[v];
       if (n < 0) {
         n = static_cast<int>(used.size());
         used.push_back(v);
@@ -303,7 +303,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
   take(whole.deviation, 1, shape->deviation);
   take(whole.colors, 3, shape->colors);
   take(whole.texture, 2, shape->texture);
-  for (int v : used) number[static_cast<std::size_t>(v)] = -1;
+  for (int v : used) number[v] = -1;
   return shape;
 }
 

@@ -30,7 +30,7 @@ MirrorBox::MirrorBox(const Document& document, MirrorGuide& guide, QWidget* pare
   for (QWidget* widget : std::initializer_list<QWidget*>{hint, plane_, fits_, use_}) layout->addWidget(widget);
   connect(plane_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     if (index >= static_cast<int>(guide_.planes().size())) return;
-    guide_.move_plane(guide_.planes()[static_cast<std::size_t>(index)]);
+    guide_.move_plane(guide_.planes()[index]);
     guide_.let_go();
   });
   connect(use_, &QCheckBox::toggled, this,

@@ -349,9 +349,7 @@ void MeshView::on_scans_changed() {
   update_colors();
   std::vector<std::vector<float>> lines(document.loops().size());
   for (int loop = 0; loop < document.loop_count(); ++loop)
-    if (impl_->shows(loop))
-      lines[static_cast<std::size_t>(loop)] =
-          line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
+    if (impl_->shows(loop)) lines[loop] = line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
   impl_->picker.set_loops(std::move(lines));
   impl_->loop_styles.clear();
   impl_->seen_camera = 0;
@@ -461,7 +459,7 @@ bool MeshView::update_loops() {
   for (int loop = 0; loop < document.loop_count(); ++loop) {
     if (!impl_->shows(loop)) continue;
     const auto scan = document.scan(document.scan_of(loop));
-    lines.push_back({line_of(*scan->shape, document.loop(loop)), styles[static_cast<std::size_t>(loop)]});
+    lines.push_back({line_of(*scan->shape, document.loop(loop)), styles[loop]});
   }
   impl_->scene.set_loops(lines);
   return true;
