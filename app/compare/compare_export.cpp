@@ -18,7 +18,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QPainter>
-#include <QStackedWidget>
 
 namespace loopmend {
 namespace {

@@ -10,8 +10,6 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include <algorithm>
-
 namespace loopmend {
 namespace {
 

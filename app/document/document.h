@@ -7,7 +7,6 @@
 #include "document/patch_state.h"
 
 #include <QObject>
-#include <QString>
 
 #include <map>
 #include <memory>

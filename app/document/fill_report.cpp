@@ -17,7 +17,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace loopmend {
 namespace {

@@ -5,9 +5,6 @@
 #include "document/labels.h"
 #include "document/message_words.h"
 
-#include <QColor>
-
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <memory>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace loopmend {
@@ -37,9 +36,9 @@ struct RunRecipe {
     whole,        ///< as far as it goes
     after_steps,  ///< stopped by a person after `steps`
     unnamed,      ///< stopped where no option of the command line can stop
+  } end = End::whole;
 
   bool operator==(const RunRecipe&) const = default;
-  } end = End::whole;
 };
 
 /// The run that these options lead to, before its first step.
@@ -63,9 +62,9 @@ struct PatchRecipe {
     holes,   ///< each loop closed by a patch of its own
     bridge,  ///< a hole and the islands in it joined by one patch
   } start = Start::holes;
+  std::vector<RunRecipe> runs;
 
   bool operator==(const PatchRecipe&) const = default;
-  std::vector<RunRecipe> runs;
 };
 
 /// What the neighborhood knows of itself.
@@ -107,13 +106,13 @@ struct OpenPatch {
   PatchStatePtr state;
   TimelinePtr timeline;  ///< holds `state`
   Acceptance acceptance = Acceptance::pending;
-};
-
-inline std::set<int> loops_of(const OpenPatch& patch) { return {patch.loops.begin(), patch.loops.end()}; }
-
 
   /// Of a loop of the document, among those of the patch; past their end where it is none of them.
   std::size_t place_of(int loop) const {
     return static_cast<std::size_t>(std::find(loops.begin(), loops.end(), loop) - loops.begin());
   }
+};
+
+inline std::set<int> loops_of(const OpenPatch& patch) { return {patch.loops.begin(), patch.loops.end()}; }
+
 }  // namespace loopmend

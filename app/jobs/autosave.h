@@ -7,7 +7,6 @@
 #include "document/undo_history.h"
 #include "jobs/task_runner.h"
 
-#include <QDateTime>
 #include <QLockFile>
 #include <QObject>
 #include <QTimer>

@@ -9,7 +9,6 @@
 #include <QObject>
 #include <QString>
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>

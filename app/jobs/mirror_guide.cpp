@@ -5,8 +5,6 @@
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
 
-#include <algorithm>
-
 namespace loopmend {
 namespace {
 

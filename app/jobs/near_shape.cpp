@@ -3,8 +3,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-
 namespace loopmend {
 namespace {
 

@@ -4,8 +4,6 @@
 
 #include "scene/surface_shape.h"
 
-#include <memory>
-
 namespace loopmend {
 
 /// The shape itself while it is small; else its triangles within twice the patch's size around it.

@@ -9,7 +9,6 @@
 #include <QCoreApplication>
 #include <QEvent>
 
-#include <algorithm>
 #include <exception>
 #include <system_error>
 
@@ -56,8 +55,8 @@ void Job::linger(std::chrono::milliseconds time) const {
   while (!pause_.cancelled() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(look);
 }
 
-  for (Worker& worker : workers_) worker.job->cancel();
 TaskRunner::~TaskRunner() {
+  for (Worker& worker : workers_) worker.job->cancel();
   for (Worker& worker : workers_) worker.thread.join();
 }
 
@@ -94,11 +93,11 @@ bool TaskRunner::wait(std::chrono::milliseconds at_most) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
+
 bool TaskRunner::stop(std::chrono::milliseconds at_most) {
   for (Worker& worker : workers_) worker.job->cancel();
   return wait(at_most);
 }
-
 
 void TaskRunner::reap() {
   for (auto it = workers_.begin(); it != workers_.end();) {

@@ -66,12 +66,12 @@ class Job {
 };
 using JobPtr = std::shared_ptr<Job>;
 
-/// How far workers, and the threads that they start, step back behind the window's thread when both want the processor.
 /// Gives the job up, where there is one, and forgets it.
 inline void drop(JobPtr& job) {
   if (job) std::exchange(job, nullptr)->cancel();
 }
 
+/// How far workers, and the threads that they start, step back behind the window's thread when both want the processor.
 enum class Yielding {
   mostly,     ///< the window is smooth, and the work goes on beside it
   as_it_can,  ///< many workers at once, which together would still keep the window waiting
@@ -96,8 +96,8 @@ class WriteTurns {
 class TaskRunner {
  public:
   explicit TaskRunner(Yielding yielding = Yielding::mostly) : yielding_(yielding) {}
-  ~TaskRunner();
   /// Gives every job up, and waits for all of them.
+  ~TaskRunner();
   TaskRunner(const TaskRunner&) = delete;
   TaskRunner& operator=(const TaskRunner&) = delete;
 
@@ -118,14 +118,14 @@ class TaskRunner {
   }
   /// @returns whether every job has ended within the time.
   bool wait(std::chrono::milliseconds at_most);
-
   /// The same, after every job was given up.
   bool stop(std::chrono::milliseconds at_most);
+
  private:
   struct Worker {
     std::thread thread;
-    std::shared_ptr<std::atomic<bool>> done;
     JobPtr job;
+    std::shared_ptr<std::atomic<bool>> done;
   };
   void reap();
 

@@ -4,7 +4,6 @@
 #include "analysis/section_profile.h"
 #include "document/labels.h"
 #include "document/run_curves.h"
-#include "document/timeline.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
 
@@ -14,7 +13,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -7,16 +7,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QGroupBox>
-#include <QLabel>
 #include <QPainter>
 #include <QScopedValueRollback>
 #include <QSlider>
 #include <QVBoxLayout>
-
-#include <algorithm>
-#include <cmath>
 
 namespace loopmend {
 namespace {

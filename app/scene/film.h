@@ -8,7 +8,6 @@
 #include "scene/surface_shape.h"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>

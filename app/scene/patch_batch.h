@@ -5,7 +5,6 @@
 #include "scene/surface_actor.h"
 
 #include <map>
-#include <memory>
 
 namespace loopmend {
 

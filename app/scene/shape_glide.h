@@ -6,7 +6,6 @@
 #include "scene/surface_shape.h"
 
 #include <chrono>
-#include <memory>
 
 namespace loopmend {
 

@@ -5,7 +5,6 @@
 #include "scene/shape_glide.h"
 #include "scene/surface_shape.h"
 
-#include <memory>
 #include <set>
 
 namespace loopmend {

@@ -4,9 +4,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include <algorithm>
-#include <cmath>
-
 namespace loopmend {
 namespace {
 

@@ -13,8 +13,6 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 
-#include <cmath>
-
 namespace loopmend {
 namespace {
 

@@ -6,7 +6,6 @@
 #include "scene/surface_shape.h"
 
 #include <map>
-#include <memory>
 
 namespace loopmend {
 

@@ -5,8 +5,6 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
-
 namespace loopmend {
 
 namespace {

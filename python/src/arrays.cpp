@@ -3,7 +3,6 @@
 
 #include "core/error.h"
 
-#include <cmath>
 #include <cstdint>
 #include <string>
 
