@@ -8,8 +8,6 @@
 #include "io/texture_files.h"
 #include "mesh/scan_attributes.h"
 
-#include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <set>
 #include <string>
