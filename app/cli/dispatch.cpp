@@ -6,7 +6,6 @@
 #include "exit_codes.h"
 #include "fill_words.h"
 #include "interrupt.h"
-#include "number_range.h"
 #include "outputs.h"
 #include "paper/paper_commands.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fill_words.h"
 
-#include "number_range.h"
-
 #include "io/text_cursor.h"
 
 #include "cli/option_parser.h"
@@ -15,6 +13,11 @@
 namespace loopmend {
 
 namespace {
+
+constexpr std::array<Named<std::optional<TextureFill>>, 3> texture_names{
+    {{"grain", TextureFill::grain}, {"smooth", TextureFill::smooth}, {"none", std::nullopt}}};
+constexpr std::array<Named<MaterialFiles>, 2> materials_names{
+    {{"copy", MaterialFiles::copy}, {"reference", MaterialFiles::reference}}};
 
 /// @throws UsageError unless the text is two whole numbers.
 std::pair<int, int> two_vertices(const char* option, const std::string& text) {
@@ -117,10 +120,8 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->check(between(0, 2147483647))
       ->type_name("N");
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
-  fill->add_option("--islands", words.islands,
-                   "Pieces of surface within a hole: join them to its patch, or cover them with it")
-      ->check(CLI::IsMember(names_in(islands_names)))
-      ->capture_default_str();
+  add_named(*fill, "--islands", words.islands, islands_names,
+            "Pieces of surface within a hole: join them to its patch, or cover them with it");
   fill->add_flag_callback(
       "--auto", [&command] { command.job.prepare.extent = PrepareOptions::Extent::where_needed; },
       "Do first what this mesh needs, and nothing else: --stitch where boundaries nearly coincide, --repair where "
@@ -177,15 +178,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_flag("--trim-crossing", words.trim_crossing,
                  "First remove the boundary triangles that run through the surface where no patch could be valid, and "
                  "nothing else");
-  fill->add_option("--texture", words.texture,
-                   "Texture of patches in a scan with a texture (OBJ, PLY): like the scan's, smooth colours, or none")
-      ->check(CLI::IsMember({"grain", "smooth", "none"}))
-      ->capture_default_str();
-  fill->add_option(
-          "--materials", words.materials,
-          "Material files and pictures of OBJ: copied beside an output in another folder, or named where they are")
-      ->check(CLI::IsMember({"copy", "reference"}))
-      ->capture_default_str();
+  add_named(*fill, "--texture", command.write.texture, texture_names,
+            "Texture of patches in a scan with a texture (OBJ, PLY): like the scan's, smooth colours, or none");
+  add_named(*fill, "--materials", command.write.materials, materials_names,
+            "Material files and pictures of OBJ: copied beside an output in another folder, or named where they are");
   fill->add_flag_callback(
       "--mark", [&command] { command.write.new_faces = NewFaces::labelled; },
       "Label the new triangles: face property patch of PLY and polydata, group loopmend_patch of OBJ, object of glTF "
@@ -228,10 +224,6 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
 void take_words(const FillWords& words, FillCommand& command) {
   command.verbosity = words.flow.verbosity();
   command.write.encoding = words.flow.encoding();
-  command.write.texture = std::nullopt;
-  if (words.texture != "none")
-    command.write.texture = words.texture == "grain" ? TextureFill::grain : TextureFill::smooth;
-  command.write.materials = words.materials == "copy" ? MaterialFiles::copy : MaterialFiles::reference;
   command.report = words.flow.report;
   if (words.keep_partial) command.when_stopped = FillCommand::WhenStopped::keep_finished;
 
@@ -249,7 +241,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   fill.threads = threads;
   take_mirror(words, fill);
   take_edge_edits(words, fill);
-  fill.islands = value_named(islands_names, words.islands).value();
+  fill.islands = words.islands;
 
   PrepareOptions& prepare = command.job.prepare;
   if (!words.stitch.empty()) {

@@ -26,7 +26,7 @@ struct FillWords {
   std::string base;                               ///< "5" or "2:5"; empty: none
   std::vector<std::string> bridges, drawn_edges;  ///< "A,B"
   std::string stopped_edges;                      ///< "17,230"; empty: none
-  std::string islands = "join", texture = "grain", materials = "copy";
+  FillOptions::Islands islands = FillOptions::Islands::join;
   bool mirror = false;
   std::string mirror_plane;  ///< "x,y,z,nx,ny,nz"; empty: none
 };

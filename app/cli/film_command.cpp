@@ -69,8 +69,7 @@ class FilmRecording {
     return method;
   }
   FilmState made(const Patch& patch, const std::string& state) const {
-    return {std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin_)),
-            state + ": mean curvature"};
+    return {shape_of(patch, origin_), state + ": mean curvature"};
   }
   void thin_out() {
     std::size_t bytes = 0;

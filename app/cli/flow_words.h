@@ -6,7 +6,6 @@
 #include "pipeline/fill_holes.h"
 #include "progress_line.h"
 
-#include <cstdint>
 #include <string>
 
 namespace CLI {
@@ -16,11 +15,8 @@ class App;
 namespace loopmend {
 
 struct FlowWords {
-  std::string flow = "mmcvf", mode = "steady", solver = "auto", boundary = "auto", continuity = "curvature",
-              relief = "smooth", edges = "auto";
-  std::uint64_t relief_seed = 1;
-  int steps = 0;  ///< 0: the default
-  double sigma = 10;
+  std::string flow = "mmcvf";  ///< or "none"
+  EvolutionOptions evolution;  ///< but the flow
   double density = 1;
   std::string report;  ///< file or "-"; empty: none
   bool ascii = false, quiet = false;
@@ -39,8 +35,5 @@ void add_flow_options(CLI::App& command, FlowWords& words, DensityOption density
                       ReliefOption relief = ReliefOption::leave_out);
 
 FillOptions options_of(const FlowWords& words);
-
-/// All but the flow, for commands that choose that themselves.
-EvolutionOptions evolution_of(const FlowWords& words, FlowKind flow);
 
 }  // namespace loopmend

@@ -117,7 +117,7 @@ void print_kinds(const std::vector<BoundaryLoop>& loops) {
 /// Of the input, on the loop.
 int lowest_vertex(const SurfaceModel& model, const BoundaryLoop& loop) {
   int lowest = std::numeric_limits<int>::max();
-  for (int v : loop.vertices) lowest = std::min(lowest, model.soup_vertex[static_cast<std::size_t>(v)]);
+  for (int v : loop.vertices) lowest = std::min(lowest, model.soup_vertex[v]);
   return lowest;
 }
 
@@ -156,7 +156,7 @@ int run_info(const InfoCommand& command) {
     for (const BoundaryLoop& loop : loops) {
       json["loops"].push_back(loop_json(loop));
       nlohmann::ordered_json& vertices = json["loops"].back()["vertices"] = nlohmann::ordered_json::array();
-      for (int v : loop.vertices) vertices.push_back(model.soup_vertex[static_cast<std::size_t>(v)]);
+      for (int v : loop.vertices) vertices.push_back(model.soup_vertex[v]);
     }
     if (verdict) json["check"] = verdict_json(*verdict);
     OutputTransaction outputs;

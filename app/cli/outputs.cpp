@@ -5,7 +5,6 @@
 #include "core/path_text.h"
 #include "io/text_cursor.h"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 

@@ -2,10 +2,7 @@
 #include "compare/compare_controller.h"
 
 #include "document/labels.h"
-#include "document/timeline.h"
 #include "pipeline/problem.h"
-
-#include <algorithm>
 
 namespace loopmend {
 namespace {

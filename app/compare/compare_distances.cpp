@@ -25,8 +25,8 @@ constexpr int mesh_entry = -1, start_entry = -2;
 
 void CompareWindow::build_from() {
   from_ = new QComboBox;
-  from_->setObjectName(QStringLiteral("compareFrom"));
-  explain(from_, tr("Distance from"), tr("The surface that the distances of all views are measured from"));
+  explain(from_, "compareFrom", tr("Distance from"),
+          tr("The surface that the distances of all views are measured from"));
   for (FlowKind flow : {FlowKind::mmcvf, FlowKind::wf, FlowKind::sdf, FlowKind::mcf})
     from_->addItem(tr("from %1").arg(labels::flow_name(flow)), static_cast<int>(flow));
   from_->addItem(tr("from the start"), start_entry);

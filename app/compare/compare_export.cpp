@@ -18,7 +18,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QPainter>
-#include <QStackedWidget>
 
 namespace loopmend {
 namespace {
@@ -51,7 +50,7 @@ QImage CompareWindow::picture(const PictureOptions& options) {
     const QRectF cell(flow_run % columns * width, flow_run / columns * height, width, height);
     const QSize drawn(static_cast<int>(cell.width() - 3 * scale), static_cast<int>(cell.height() - title - 3 * scale));
     if (drawn.isEmpty()) return {};
-    FlowView& shown = *flow_views_[static_cast<std::size_t>(flow_run)];
+    FlowView& shown = *flow_views_[flow_run];
     const QImage view = (wiping ? *wipe_ : shown.canvas()).picture(drawn, options.ground);
     if (view.isNull()) return {};
     painter.drawImage(QPointF(cell.left(), cell.top() + title), view);

@@ -85,8 +85,7 @@ CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWid
       energies_(new Plot("compareEnergies", tr("Energy of each flow against the step"))),
       profiles_(new Plot("compareProfiles", tr("Mean curvature across the seam, one line for each flow"))),
       across_title_(new QLabel) {
-  table_->setObjectName(QStringLiteral("compareTable"));
-  explain(table_, tr("Figures of all flows"), {});
+  explain(table_, "compareTable", tr("Figures of all flows"), {});
   const QStringList heads = head_words(), help = head_help();
   table_->setColumnCount(heads.size());
   table_->setHorizontalHeaderLabels(heads);
@@ -99,8 +98,7 @@ CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWid
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   table_->horizontalHeader()->setHighlightSections(false);
-  which_->setObjectName(QStringLiteral("compareEnergyKind"));
-  explain(which_, tr("Which energy"), tr("Which energy the plot shows; each flow lowers its own"));
+  explain(which_, "compareEnergyKind", tr("Which energy"), tr("Which energy the plot shows; each flow lowers its own"));
   which_->addItems({tr("\u222b|\u2207H|\u00b2, what MMCVF lowers"), tr("\u222bH\u00b2, what WF lowers"),
                     tr("Area, what MCF and SDF lower")});
   connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareNumbers::update_energies);

@@ -104,8 +104,7 @@ CompareWindow::CompareWindow(ComparisonController& flow_comparison, CompareTask 
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
+  auto* all = make_layout<QVBoxLayout>(this);
   all->addWidget(splitter);
   banner_ = new Banner(upper);
   wire();
@@ -118,21 +117,19 @@ QWidget* CompareWindow::build_run_bar() {
   run_ = make_button("compareRun", tr("&Run all"), tr("All flows from the same start, side by side (Space)"));
   stop_ = make_button("compareStop", tr("&Stop"), tr("Stop at once; what was reached stays (Esc)"));
   count_ = new QComboBox;
-  count_->setObjectName(QStringLiteral("compareCount"));
-  explain(count_, tr("Number of views"), tr("How many flows are compared"));
+  explain(count_, "compareCount", tr("Number of views"), tr("How many flows are compared"));
   for (int n = 2; n <= most_views; ++n) count_->addItem(tr("%1 views").arg(n), n);
   count_->setCurrentIndex(flow_comparison_.flow_runs() - 2);
   mode_ = new QComboBox;
-  mode_->setObjectName(QStringLiteral("compareMode"));
   mode_->addItem(tr("To the steady state"), static_cast<int>(EvolutionMode::steady));
   mode_->addItem(tr("Step by step"), static_cast<int>(EvolutionMode::steps));
-  explain(mode_, tr("How"), tr("Straight to where each flow converges, or in time steps, as in the paper"));
+  explain(mode_, "compareMode", tr("How"),
+          tr("Straight to where each flow converges, or in time steps, as in the paper"));
   sigma_ = new QSlider(Qt::Horizontal);
-  sigma_->setObjectName(QStringLiteral("compareSigma"));
   sigma_->setRange(-2 * ticks_per_decade, 5 * ticks_per_decade);
   sigma_->setValue(ticks_per_decade);
   sigma_->setFixedWidth(120);
-  explain(sigma_, tr("Time step"), tr("Time step \u03c3, without a unit; the same for all flows"));
+  explain(sigma_, "compareSigma", tr("Time step"), tr("Time step \u03c3, without a unit; the same for all flows"));
   sigma_value_ = new QLabel;
   sigma_value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("\u03c3 = 0.0100")));
   wait_ = make_note("compareWait");
@@ -143,8 +140,7 @@ QWidget* CompareWindow::build_run_bar() {
                               tr("Table, energies and profiles as CSV, as loopmend compare writes them"));
   copy_ = make_button("compareCopy", tr("Copy co&mmand line"), tr("Copy the commands that do the same"));
   auto* bar = new QWidget;
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = make_layout<QHBoxLayout>(bar);
   row->setSpacing(8);
   for (QWidget* part : std::initializer_list<QWidget*>{run_, stop_, divider(), count_, mode_, sigma_, sigma_value_})
     row->addWidget(part);
@@ -160,38 +156,29 @@ QWidget* CompareWindow::build_look_bar() {
   shading_->addItem(tr("Distance"), static_cast<int>(Shading::difference));
   shading_->setCurrentIndex(static_cast<int>(look_.shading));
   build_from();
-  edges_ = new QCheckBox(tr("&Wireframe"));
-  edges_->setObjectName(QStringLiteral("compareEdges"));
+  edges_ = make_option<QCheckBox>("compareEdges", tr("&Wireframe"), tr("Draw the triangles' edges"));
   edges_->setChecked(look_.edges == Edges::shown);
-  explain(edges_, tr("Wireframe"), tr("Draw the triangles' edges"));
   own_range_ = new QCheckBox(tr("C&olours \u00b1"));
-  own_range_->setObjectName(QStringLiteral("compareOwnRange"));
-  explain(own_range_, tr("Own range of colours"),
+  explain(own_range_, "compareOwnRange", tr("Own range of colours"),
           tr("A colour range of your own, instead of that of the neighborhood"));
   half_width_ = new QDoubleSpinBox;
-  half_width_->setObjectName(QStringLiteral("compareRange"));
   half_width_->setRange(1e-6, 1e9);
   half_width_->setDecimals(4);
   half_width_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   half_width_->setKeyboardTracking(false);
-  explain(half_width_, tr("Range"), tr("The value at the ends of the colours"));
-  linked_ = new QCheckBox(tr("&Link views"));
-  linked_->setObjectName(QStringLiteral("compareLinked"));
+  explain(half_width_, "compareRange", tr("Range"), tr("The value at the ends of the colours"));
+  linked_ = make_option<QCheckBox>("compareLinked", tr("&Link views"), tr("Turning one view turns all"));
   linked_->setChecked(true);
-  explain(linked_, tr("Link views"), tr("Turning one view turns all"));
   auto* framing = make_button("compareFrame", tr("&Frame"), tr("See the whole patch in every view (F)"));
   connect(framing, &QPushButton::clicked, this, &CompareWindow::frame);
   wiping_ = new QCheckBox(tr("Wip&e between"));
-  wiping_->setObjectName(QStringLiteral("compareWipe"));
-  explain(wiping_, tr("Wipe"), tr("One large picture of two flows, with a line between them that can be drawn"));
+  explain(wiping_, "compareWipe", tr("Wipe"),
+          tr("One large picture of two flows, with a line between them that can be drawn"));
   for (QComboBox** box : {&left_, &right_}) *box = new QComboBox;
-  left_->setObjectName(QStringLiteral("compareWipeLeft"));
-  right_->setObjectName(QStringLiteral("compareWipeRight"));
-  explain(left_, tr("Left of the line"), tr("Which flow, or the start, is left of the line"));
-  explain(right_, tr("Right of the line"), tr("Which flow, or the start, is right of the line"));
+  explain(left_, "compareWipeLeft", tr("Left of the line"), tr("Which flow, or the start, is left of the line"));
+  explain(right_, "compareWipeRight", tr("Right of the line"), tr("Which flow, or the start, is right of the line"));
   auto* bar = new QWidget;
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = make_layout<QHBoxLayout>(bar);
   row->setSpacing(8);
   for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, own_range_, half_width_, divider(),
                                                        linked_, framing, divider(), wiping_, left_, right_})
@@ -212,8 +199,7 @@ QWidget* CompareWindow::build_views() {
   pages_->addWidget(wipe_);
   legend_ = new LegendStrip;
   auto* views = new QWidget;
-  auto* row = new QHBoxLayout(views);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = make_layout<QHBoxLayout>(views);
   row->setSpacing(2);
   row->addWidget(pages_, 1);
   row->addWidget(legend_);
@@ -249,7 +235,7 @@ void CompareWindow::wire() {
   for (QComboBox* box : {left_, right_})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::update_wipe);
   for (int flow_run = 0; flow_run < most_views; ++flow_run) {
-    FlowView* flow_view = flow_views_[static_cast<std::size_t>(flow_run)];
+    FlowView* flow_view = flow_views_[flow_run];
     connect(flow_view, &FlowView::flow_chosen, this, [this, flow_run](FlowKind flow) { choose_flow(flow_run, flow); });
     connect(flow_view, &FlowView::accept_wanted, this, [this, flow_run] { accept(flow_run); });
   }
@@ -312,15 +298,15 @@ void CompareWindow::choose_flow(int flow_run, FlowKind flow) {
   std::vector<FlowKind> flows;
   for (int k = 0; k < flow_comparison_.flow_runs(); ++k) flows.push_back(flow_comparison_.flow(k));
   const auto other = std::find(flows.begin(), flows.end(), flow);
-  if (other != flows.end()) *other = flows[static_cast<std::size_t>(flow_run)];
-  flows[static_cast<std::size_t>(flow_run)] = flow;
+  if (other != flows.end()) *other = flows[flow_run];
+  flows[flow_run] = flow;
   flow_comparison_.set_flows(flows);
 }
 
 void CompareWindow::arrange() {
   const int columns = flow_comparison_.flow_runs() == 4 ? 2 : flow_comparison_.flow_runs();
   for (int flow_run = 0; flow_run < most_views; ++flow_run) {
-    FlowView* flow_view = flow_views_[static_cast<std::size_t>(flow_run)];
+    FlowView* flow_view = flow_views_[flow_run];
     grid_->removeWidget(flow_view);
     if (flow_run < flow_comparison_.flow_runs()) grid_->addWidget(flow_view, flow_run / columns, flow_run % columns);
     flow_view->setVisible(flow_run < flow_comparison_.flow_runs());
@@ -344,9 +330,8 @@ void CompareWindow::update_all() {
   if (there) {
     for (FlowCanvas* canvas : canvases()) canvas->set_neighborhood(flow_comparison_.neighborhood());
     for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run) {
-      flow_views_[static_cast<std::size_t>(flow_run)]->show_flow(flow_comparison_.flow(flow_run));
-      flow_views_[static_cast<std::size_t>(flow_run)]->show_flow_run(*flow_comparison_.flow_run(flow_run),
-                                                                     task_.accept_help);
+      flow_views_[flow_run]->show_flow(flow_comparison_.flow(flow_run));
+      flow_views_[flow_run]->show_flow_run(*flow_comparison_.flow_run(flow_run), task_.accept_help);
     }
     if (flow_comparison_.stage() != ComparisonController::Stage::running) update_range();
     if (isVisible() && !std::exchange(faced_, true)) face_patch();
@@ -358,8 +343,7 @@ void CompareWindow::update_all() {
 }
 
 void CompareWindow::update_flow_run(int flow_run) {
-  flow_views_[static_cast<std::size_t>(flow_run)]->show_flow_run(*flow_comparison_.flow_run(flow_run),
-                                                                 task_.accept_help);
+  flow_views_[flow_run]->show_flow_run(*flow_comparison_.flow_run(flow_run), task_.accept_help);
   numbers_->update_flow_run(flow_run);
   if (wiping_->isChecked()) update_wipe();
 }

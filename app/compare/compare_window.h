@@ -55,7 +55,7 @@ class CompareWindow : public QWidget {
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
   QString save_numbers(const QString& path) const;
   const ComparisonController& flow_comparison() const { return flow_comparison_; }
-  FlowView& flow_view(int number) { return *flow_views_[static_cast<std::size_t>(number)]; }
+  FlowView& flow_view(int number) { return *flow_views_[number]; }
   FlowCanvas& wipe() { return *wipe_; }
 
  protected:

@@ -120,13 +120,13 @@ int FlowCanvas::frames() const { return impl_->frames; }
 int FlowCanvas::neighborhood_drawn() const { return impl_->scenes.front()->still_drawn(); }
 bool FlowCanvas::is_moving() const { return impl_->moving; }
 
-void FlowCanvas::set_neighborhood(std::shared_ptr<const SurfaceShape> shape) {
+void FlowCanvas::set_neighborhood(SurfaceShapePtr shape) {
   for (auto& scene : impl_->scenes) shape ? scene->set_scan(0, shape) : scene->keep_scans({});
   redraw();
 }
 
-void FlowCanvas::show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival) {
-  MeshScene& scene = *impl_->scenes[static_cast<std::size_t>(side)];
+void FlowCanvas::show_patch(int side, SurfaceShapePtr shape, Arrival arrival) {
+  MeshScene& scene = *impl_->scenes[side];
   shape ? scene.set_patch(0, 0, std::move(shape), arrival) : scene.keep_patches({});
   redraw();
 }

@@ -86,8 +86,7 @@ FlowView::FlowView(int number, PictureClock& clock, QWidget* parent)
   head->addWidget(flow_);
   head->addWidget(figures_, 1);
   head->addWidget(accept_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = make_layout<QVBoxLayout>(this);
   column->setSpacing(0);
   column->addLayout(head);
   column->addWidget(canvas_, 1);

@@ -4,7 +4,6 @@
 #include "panels/parts.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -97,11 +96,10 @@ CommandPalette::CommandPalette(const std::vector<Group>& groups, QWidget* parent
       known.insert(action);
       entries_.push_back({action, plain(action->text()), plain(group.title)});
     }
-  typed_->setObjectName(QStringLiteral("commandTyped"));
   typed_->setPlaceholderText(tr("Type some letters of a command"));
-  explain(typed_, tr("Find a command"), tr("Type some letters of a command; Return runs the first one"));
-  found_->setObjectName(QStringLiteral("commandList"));
-  explain(found_, tr("Commands"), tr("The commands that fit, the best one first"));
+  explain(typed_, "commandTyped", tr("Find a command"),
+          tr("Type some letters of a command; Return runs the first one"));
+  explain(found_, "commandList", tr("Commands"), tr("The commands that fit, the best one first"));
   found_->setItemDelegate(new EntryDelegate(found_));
   found_->setFocusPolicy(Qt::NoFocus);
   found_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -165,7 +163,7 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 void CommandPalette::run() {
   const QListWidgetItem* item = found_->currentItem();
   if (!item || !item->flags().testFlag(Qt::ItemIsEnabled)) return;
-  const QPointer<QAction> action = entries_[static_cast<std::size_t>(item->data(entry_role).toInt())].action;
+  const QPointer<QAction> action = entries_[item->data(entry_role).toInt()].action;
   close();
   QTimer::singleShot(0, parentWidget(), [action] {
     if (action) action->trigger();

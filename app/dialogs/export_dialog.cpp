@@ -28,10 +28,10 @@ ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QSt
   setNameFilters(filters);
   selectNameFilter(filter);
   selectFile(QFileInfo(proposal).fileName());
-  content_->setObjectName(QStringLiteral("exportContent"));
   content_->addItem(tr("Scan and patches"), static_cast<int>(ExportChoice::Content::scene));
   content_->addItem(tr("Patches only"), static_cast<int>(ExportChoice::Content::patches));
-  explain(content_, tr("What is written"), tr("The scan with its holes closed, or the patches by themselves"));
+  explain(content_, "exportContent", tr("What is written"),
+          tr("The scan with its holes closed, or the patches by themselves"));
   verdict_->setObjectName(QStringLiteral("exportVerdict"));
   verdict_->setWordWrap(true);
   auto* grid = qobject_cast<QGridLayout*>(layout());

@@ -44,8 +44,7 @@ FilmDialog::~FilmDialog() { stop(); }
 
 void FilmDialog::build() {
   size_ = new QComboBox;
-  size_->setObjectName(QStringLiteral("filmSize"));
-  explain(size_, tr("Size"), tr("How many pixels each picture has"));
+  explain(size_, "filmSize", tr("Size"), tr("How many pixels each picture has"));
   for (const int height : {360, 480, 720}) {
     const QSize size(height * source_.seen.width() / std::max(1, source_.seen.height()), height);
     size_->addItem(tr("%1 \u00d7 %2 pixels").arg(size.width()).arg(size.height()), size);
@@ -55,8 +54,7 @@ void FilmDialog::build() {
                               static_cast<int>(states_of_film(source_.states).size())));
   about->setWordWrap(true);
   progress_ = new QProgressBar;
-  progress_->setObjectName(QStringLiteral("filmProgress"));
-  explain(progress_, tr("Pictures drawn"), tr("How many of the film's pictures are drawn"));
+  explain(progress_, "filmProgress", tr("Pictures drawn"), tr("How many of the film's pictures are drawn"));
   progress_->setVisible(false);
   fault_ = new QLabel;
   fault_->setObjectName(QStringLiteral("filmTrouble"));
@@ -145,9 +143,8 @@ void FilmDialog::begin_writing() {
 
 void FilmDialog::stop() {
   clock_.stop();
-  if (job_) job_->cancel();
+  drop(job_);
   if (writing_) writing_->end();
-  job_ = nullptr;
   progress_->hide();
   save_->setEnabled(true);
   size_->setEnabled(true);

@@ -55,15 +55,13 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget
   setWindowTitle(tr("Help"));
   setWindowFlag(Qt::Window);
   resize(980, 720);
-  list_->setObjectName(QStringLiteral("helpPages"));
   list_->setFixedWidth(236);
   list_->setSpacing(3);
-  explain(list_, tr("Pages"), tr("The pages of the help"));
+  explain(list_, "helpPages", tr("Pages"), tr("The pages of the help"));
   list_->setToolTip({});
-  page_->setObjectName(QStringLiteral("helpPage"));
   page_->setOpenLinks(false);
   page_->document()->setDocumentMargin(18);
-  explain(page_, tr("Page"), {});
+  explain(page_, "helpPage", tr("Page"), {});
   for (const Page& page : pages) {
     auto* item = new QListWidgetItem(tr(page.title), list_);
     item->setData(Qt::UserRole, QLatin1String(page.name));

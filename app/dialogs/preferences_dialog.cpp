@@ -70,8 +70,8 @@ void PreferencesDialog::build() {
   form->addRow(tr("Memory for un&do"), undo_);
   form->addRow(tr("Memory for each &timeline"), timeline_);
   form->addRow(tr("Copy for &recovery after"), autosave_);
-  auto* note = make_note("preferencesNote");
-  note->setText(tr("Every change counts at once; another language from the next start on."));
+  auto* note =
+      make_note("preferencesNote", tr("Every change counts at once; another language from the next start on."));
   form->addRow(note);
   auto* buttons = make_dialog_buttons(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

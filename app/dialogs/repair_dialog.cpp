@@ -10,8 +10,6 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include <algorithm>
-
 namespace loopmend {
 namespace {
 
@@ -90,10 +88,6 @@ RepairDialog::RepairDialog(const Document& document, FillController& controller,
   count();
 }
 
-RepairDialog::~RepairDialog() {
-  if (job_) job_->cancel();
-}
-
 void RepairDialog::build() {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(18, 18, 18, 14);
@@ -138,7 +132,7 @@ void RepairDialog::build() {
 }
 
 void RepairDialog::count() {
-  if (job_) job_->cancel();
+  drop(job_);
   job_ = std::make_shared<Job>(this);
   summary_->setText(tr("Looking for defects\u2026"));
   for (auto& [defect, row] : rows_) {

@@ -21,7 +21,6 @@ class RepairDialog : public QDialog {
 
  public:
   RepairDialog(const Document& document, FillController& controller, QWidget* parent = nullptr);
-  ~RepairDialog() override;
 
  private:
   struct Row {

@@ -73,28 +73,22 @@ std::size_t PatchChange::held_bytes(std::set<const void*>& seen) const {
   return sum;
 }
 
-AddScan::AddScan(Document& document, int scan, const QString& text)
+ScanChange::ScanChange(Document& document, int scan, const QString& text)
     : Change(text),
       document_(document),
       scan_(scan),
       held_(document.held_scan(scan)) {}
 
-void AddScan::undo() { document_.take_scan(scan_); }
+std::size_t ScanChange::held_bytes(std::set<const void*>& seen) const {
+  const bool ours = held_ && !document_.scan(scan_) && seen.insert(held_.get()).second;
+  return ours ? size_of(*held_) : 0;
+}
 
 void AddScan::redo() {
   if (!document_.scan(scan_)) document_.put_scan(scan_, held_);
 }
 
-std::size_t AddScan::held_bytes(std::set<const void*>& seen) const {
-  const bool ours = held_ && !document_.scan(scan_) && seen.insert(held_.get()).second;
-  return ours ? size_of(*held_) : 0;
-}
-
-CloseScan::CloseScan(Document& document, int scan, const QString& text)
-    : Change(text),
-      document_(document),
-      scan_(scan),
-      held_(document.held_scan(scan)) {
+CloseScan::CloseScan(Document& document, int scan, const QString& text) : ScanChange(document, scan, text) {
   for (const OpenPatch& patch : document.patches())
     if (patch.scan == scan) patches_.push_back(patch);
 }
@@ -109,11 +103,6 @@ void CloseScan::redo() {
 void CloseScan::undo() {
   document_.put_scan(scan_, held_);
   document_.replace({}, patches_);
-}
-
-std::size_t CloseScan::held_bytes(std::set<const void*>& seen) const {
-  const bool ours = held_ && !document_.scan(scan_) && seen.insert(held_.get()).second;
-  return ours ? size_of(*held_) : 0;
 }
 
 ChooseUnits::ChooseUnits(Document& document, std::map<int, std::string> after, const QString& text)

@@ -49,37 +49,38 @@ class PatchChange : public Change {
   Joining joining_;
 };
 
-/// A scan was added to the scene.
-class AddScan : public Change {
+/// A scan came or went.
+class ScanChange : public Change {
  public:
-  /// The scan is in the document already; redo() puts it there again after an undo().
-  AddScan(Document& document, int scan, const QString& text);
-  void undo() override;
-  void redo() override;
   std::size_t held_bytes(std::set<const void*>& seen) const override;
   void forget() override { held_.reset(); }
   bool forgotten() const override { return held_ == nullptr; }
 
- private:
+ protected:
+  ScanChange(Document& document, int scan, const QString& text);
+
   Document& document_;
   int scan_;
   std::shared_ptr<OpenedScan> held_;
 };
 
+/// A scan was added to the scene.
+class AddScan : public ScanChange {
+ public:
+  /// The scan is in the document already; redo() puts it there again after an undo().
+  AddScan(Document& document, int scan, const QString& text) : ScanChange(document, scan, text) {}
+  void undo() override { document_.take_scan(scan_); }
+  void redo() override;
+};
+
 /// A scan was taken away, with the patches in its holes.
-class CloseScan : public Change {
+class CloseScan : public ScanChange {
  public:
   CloseScan(Document& document, int scan, const QString& text);
   void undo() override;
   void redo() override;
-  std::size_t held_bytes(std::set<const void*>& seen) const override;
-  void forget() override { held_.reset(); }
-  bool forgotten() const override { return held_ == nullptr; }
 
  private:
-  Document& document_;
-  int scan_;
-  std::shared_ptr<OpenedScan> held_;
   std::vector<OpenPatch> patches_;
 };
 

@@ -9,7 +9,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <tuple>
 
 namespace loopmend {
 namespace {
@@ -45,10 +44,10 @@ bool is_exact(const PatchRecipe& recipe) {
 /// A vertex of the file that lies on this loop alone; −1 when there is none.
 int own_vertex(const OpenedScan& scan, const BoundaryLoop& loop) {
   for (int v : loop.vertices) {
-    const int vertex = scan.model->soup_vertex[static_cast<std::size_t>(v)];
+    const int vertex = scan.model->soup_vertex[v];
     const auto through = std::count_if(scan.loops.begin(), scan.loops.end(), [&](const BoundaryLoop& other) {
       return std::any_of(other.vertices.begin(), other.vertices.end(),
-                         [&](int w) { return scan.model->soup_vertex[static_cast<std::size_t>(w)] == vertex; });
+                         [&](int w) { return scan.model->soup_vertex[w] == vertex; });
     });
     if (through == 1) return vertex;
   }

@@ -38,7 +38,7 @@ const OpenedScan& Document::first_scan() const {
   return *std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scan != nullptr; })->scan;
 }
 
-bool Document::present(int loop) const { return slots_[static_cast<std::size_t>(scan_of(loop))].scan != nullptr; }
+bool Document::present(int loop) const { return slots_[scan_of(loop)].scan != nullptr; }
 
 const OpenPatch* Document::patch(int id) const {
   const auto it = patch_by_id_.find(id);
@@ -87,16 +87,14 @@ HoleState Document::state(int loop) const {
 const Verdict* Document::verdict(int loop) const {
   const OpenPatch* patch = patch_of(loop);
   if (!patch) return nullptr;
-  const auto at =
-      static_cast<std::size_t>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  const std::size_t at = patch->place_of(loop);
   return at < patch->state->verdicts.size() ? &patch->state->verdicts[at] : nullptr;
 }
 
 ExpectedDeviation Document::deviation(int loop) const {
   const OpenPatch* patch = patch_of(loop);
   if (!patch) return {};
-  const auto at =
-      static_cast<std::size_t>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  const std::size_t at = patch->place_of(loop);
   const std::vector<ExpectedDeviation>& all = patch->state->deviation.loops;
   return at < all.size() ? all[at] : ExpectedDeviation();
 }
@@ -199,16 +197,16 @@ int Document::add_scan(std::shared_ptr<OpenedScan> scan) {
 }
 
 void Document::take_scan(int index) {
-  slots_[static_cast<std::size_t>(index)].scan = nullptr;
+  slots_[index].scan = nullptr;
   Q_EMIT scans_changed();
 }
 
 void Document::put_scan(int index, std::shared_ptr<OpenedScan> scan) {
-  slots_[static_cast<std::size_t>(index)].scan = std::move(scan);
+  slots_[index].scan = std::move(scan);
   Q_EMIT scans_changed();
 }
 
-void Document::set_shape(int scan, std::shared_ptr<const SurfaceShape> shape) {
+void Document::set_shape(int scan, SurfaceShapePtr shape) {
   const auto at = static_cast<std::size_t>(scan);
   if (at >= slots_.size() || !slots_[at].scan) return;
   slots_[at].scan->shape = std::move(shape);

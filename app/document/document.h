@@ -7,7 +7,6 @@
 #include "document/patch_state.h"
 
 #include <QObject>
-#include <QString>
 
 #include <map>
 #include <memory>
@@ -59,9 +58,9 @@ class Document : public QObject {
 
   const std::vector<BoundaryLoop>& loops() const { return loops_; }
   int loop_count() const { return static_cast<int>(loops_.size()); }
-  const BoundaryLoop& loop(int index) const { return loops_[static_cast<std::size_t>(index)]; }
-  int scan_of(int loop) const { return scan_of_loop_[static_cast<std::size_t>(loop)]; }
-  int first_loop_of(int scan) const { return slots_[static_cast<std::size_t>(scan)].first_loop; }
+  const BoundaryLoop& loop(int index) const { return loops_[index]; }
+  int scan_of(int loop) const { return scan_of_loop_[loop]; }
+  int first_loop_of(int scan) const { return slots_[scan].first_loop; }
   /// Whether the loop's scan is there.
   bool present(int loop) const;
 
@@ -89,8 +88,8 @@ class Document : public QObject {
   int add_scan(std::shared_ptr<OpenedScan> scan);
   void take_scan(int index);
   void put_scan(int index, std::shared_ptr<OpenedScan> scan);
-  std::shared_ptr<OpenedScan> held_scan(int index) const { return slots_[static_cast<std::size_t>(index)].scan; }
-  void set_shape(int scan, std::shared_ptr<const SurfaceShape> shape);
+  std::shared_ptr<OpenedScan> held_scan(int index) const { return slots_[index].scan; }
+  void set_shape(int scan, SurfaceShapePtr shape);
 
   /// As chosen, else as the scan's file has it; empty: not known.
   std::string unit(int scan) const;

@@ -17,7 +17,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace loopmend {
 namespace {
@@ -31,7 +30,7 @@ QString tr(const char* text, int n = -1) {
 double area_of(const TriangleSoup& soup) {
   double area = 0;
   for (const Triangle& t : soup.triangles) {
-    const auto corner = [&](std::size_t k) -> const Vec3& { return soup.points[static_cast<std::size_t>(t[k])]; };
+    const auto corner = [&](std::size_t k) -> const Vec3& { return soup.points[t[k]]; };
     area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
   }
   return area;
@@ -63,8 +62,7 @@ FillReport::Hole hole_of(const Document& document, int loop) {
   if (document.state(loop) == HoleState::cutting) add(labels::state_help(HoleState::cutting));
   add(tr("Boundary of %1 edges, %2 in diameter.")
           .arg(labels::count(static_cast<std::size_t>(boundary.edges())), labels::length(document, boundary.diameter)));
-  const auto place =
-      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
+  const std::size_t place = patch.place_of(loop);
   if (place < state.seams.size() && place < state.seams_before.size())
     add(labels::seam_sentence(state.seams_before[place], state.seams[place], state.status,
                               verdict ? verdict->grade : Grade::good));

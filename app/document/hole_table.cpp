@@ -5,9 +5,6 @@
 #include "document/labels.h"
 #include "document/message_words.h"
 
-#include <QColor>
-
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -180,8 +177,7 @@ QVariant HoleTable::sort_key(int loop, int column) const {
 const BoundarySummary* HoleTable::boundary_of(int loop) const {
   const OpenPatch* patch = document_.patch_of(loop);
   if (!patch || !patch->state->boundary) return nullptr;
-  const auto at = std::find(patch->loops.begin(), patch->loops.end(), loop);
-  const auto k = static_cast<std::size_t>(at - patch->loops.begin());
+  const std::size_t k = patch->place_of(loop);
   return k < patch->state->boundary->loops.size() ? &patch->state->boundary->loops[k] : nullptr;
 }
 

@@ -86,7 +86,7 @@ QString in_words(const Message& message) {
     if (k < 1 || k > static_cast<int>(message.arguments.size())) {
       words += text[at];
     } else {
-      words += in_words(message.arguments[static_cast<std::size_t>(k - 1)]);
+      words += in_words(message.arguments[k - 1]);
       ++at;
     }
   }

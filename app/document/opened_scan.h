@@ -35,10 +35,10 @@ struct OpenedScan {
   std::vector<BoundaryLoop> loops;
   ScanPieces pieces;
   Vec3 origin = Vec3::Zero();  ///< of `shape`
-  std::shared_ptr<const SurfaceShape> shape;
-  std::vector<std::shared_ptr<const SurfaceShape>> colored;  ///< the parts that it is drawn by in its own colours
-  std::shared_ptr<const std::vector<Color>> colors;          ///< per vertex of the view; null: it has none
-  std::vector<Message> color_problems;                       ///< sentences
+  SurfaceShapePtr shape;
+  std::vector<SurfaceShapePtr> colored;              ///< the parts that it is drawn by in its own colours
+  std::shared_ptr<const std::vector<Color>> colors;  ///< per vertex of the view; null: it has none
+  std::vector<Message> color_problems;               ///< sentences
   std::uint64_t fingerprint = 0;  ///< of points and triangles: tells whether a file is still the same
 };
 

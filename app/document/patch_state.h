@@ -8,9 +8,9 @@
 #include "pipeline/patch_result.h"
 #include "scene/surface_shape.h"
 
+#include <algorithm>
 #include <memory>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace loopmend {
@@ -37,6 +37,8 @@ struct RunRecipe {
     after_steps,  ///< stopped by a person after `steps`
     unnamed,      ///< stopped where no option of the command line can stop
   } end = End::whole;
+
+  bool operator==(const RunRecipe&) const = default;
 };
 
 /// The run that these options lead to, before its first step.
@@ -61,6 +63,8 @@ struct PatchRecipe {
     bridge,  ///< a hole and the islands in it joined by one patch
   } start = Start::holes;
   std::vector<RunRecipe> runs;
+
+  bool operator==(const PatchRecipe&) const = default;
 };
 
 /// What the neighborhood knows of itself.
@@ -71,7 +75,7 @@ struct BoundaryKnowledge {
 
 /// What the engine made, and what is shown of it. Without the history of steps: the timeline holds the states themselves.
 struct PatchState : PatchResult {
-  std::shared_ptr<const SurfaceShape> shape;
+  SurfaceShapePtr shape;
   PatchRecipe recipe;                                 ///< `steps` counts from the initial patch on
   StepRecord last_step;                               ///< meaningful when steps > 0
   std::shared_ptr<const BoundaryKnowledge> boundary;  ///< the same for all states of a patch; null: not asked for
@@ -102,6 +106,11 @@ struct OpenPatch {
   PatchStatePtr state;
   TimelinePtr timeline;  ///< holds `state`
   Acceptance acceptance = Acceptance::pending;
+
+  /// Of a loop of the document, among those of the patch; past their end where it is none of them.
+  std::size_t place_of(int loop) const {
+    return static_cast<std::size_t>(std::find(loops.begin(), loops.end(), loop) - loops.begin());
+  }
 };
 
 inline std::set<int> loops_of(const OpenPatch& patch) { return {patch.loops.begin(), patch.loops.end()}; }

@@ -16,7 +16,7 @@ ScanPieces scan_pieces(const TriMesh& mesh) {
   std::vector<ScanPieces::Piece> found;
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const auto v : mesh.vertices()) {
-    int& piece = vertex_piece[static_cast<std::size_t>(v.idx())];
+    int& piece = vertex_piece[v.idx()];
     if (mesh.is_isolated(v)) {
       piece = 0;
       continue;
@@ -26,28 +26,28 @@ ScanPieces scan_pieces(const TriMesh& mesh) {
       found.push_back({0, 0, v.idx()});
       boxes.emplace_back();
     } else {
-      piece = vertex_piece[static_cast<std::size_t>(piece)];  // lower, numbered already
+      piece = vertex_piece[piece];  // lower, numbered already
     }
-    boxes[static_cast<std::size_t>(piece)].extend(mesh.point(v));
+    boxes[piece].extend(mesh.point(v));
   }
   for (const auto face : mesh.faces()) {
     const int v = mesh.to_vertex_handle(mesh.halfedge_handle(face)).idx();
-    ++found[static_cast<std::size_t>(vertex_piece[static_cast<std::size_t>(v)])].triangles;
+    ++found[vertex_piece[v]].triangles;
   }
   for (std::size_t k = 0; k < found.size(); ++k) found[k].diameter = boxes[k].diagonal().norm();
   std::vector<int> order(found.size()), rank(found.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) {
-    const ScanPieces::Piece &x = found[static_cast<std::size_t>(a)], &y = found[static_cast<std::size_t>(b)];
+    const ScanPieces::Piece &x = found[a], &y = found[b];
     return x.triangles != y.triangles ? x.triangles > y.triangles : x.first_vertex < y.first_vertex;
   });
   ScanPieces pieces;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    rank[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-    pieces.list.push_back(found[static_cast<std::size_t>(order[k])]);
+    rank[order[k]] = static_cast<int>(k);
+    pieces.list.push_back(found[order[k]]);
   }
   if (pieces.list.size() < 2) return pieces;
-  for (int& piece : vertex_piece) piece = rank[static_cast<std::size_t>(piece)];
+  for (int& piece : vertex_piece) piece = rank[piece];
   pieces.of_vertex = std::move(vertex_piece);
   return pieces;
 }

@@ -19,7 +19,7 @@ struct ScanPieces {
   std::vector<int> of_vertex;  ///< #V of the view: index into `list`; empty where there is but one
 
   /// @param vertex  of the view
-  int piece_of(int vertex) const { return of_vertex.empty() ? 0 : of_vertex[static_cast<std::size_t>(vertex)]; }
+  int piece_of(int vertex) const { return of_vertex.empty() ? 0 : of_vertex[vertex]; }
 };
 
 /// Pieces that have a vertex in common are one, as in mesh/pieces.h.

@@ -97,8 +97,7 @@ void SceneVisibility::hide_heirs(int scan) {
   if (hidden_.empty() || heir->from != ScanOrigin::made) return;
   using Place = std::array<double, 3>;
   const auto place_of = [](const OpenedScan& opened, int vertex) {
-    const Vec3& p = opened.model->soup
-                        .points[static_cast<std::size_t>(opened.model->soup_vertex[static_cast<std::size_t>(vertex)])];
+    const Vec3& p = opened.model->soup.points[opened.model->soup_vertex[vertex]];
     return Place{p.x(), p.y(), p.z()};
   };
   std::vector<Place> places;
@@ -111,7 +110,7 @@ void SceneVisibility::hide_heirs(int scan) {
   }
   std::sort(places.begin(), places.end());
   for (int piece = 0; piece < piece_count(scan); ++piece) {
-    const int first = heir->pieces.list.empty() ? 0 : heir->pieces.list[static_cast<std::size_t>(piece)].first_vertex;
+    const int first = heir->pieces.list.empty() ? 0 : heir->pieces.list[piece].first_vertex;
     if (std::binary_search(places.begin(), places.end(), place_of(*heir, first))) hidden_.insert({scan, piece});
   }
 }

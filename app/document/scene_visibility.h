@@ -7,9 +7,7 @@
 
 #include <QObject>
 
-#include <map>
 #include <set>
-#include <vector>
 
 namespace loopmend {
 

@@ -12,75 +12,56 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <cmath>
 
 namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 12;  ///< no other one is read
+constexpr int format_version = 12;  ///< no other one is read
 
-using Writer = SessionWriter;
-using Reader = SessionReader;
-
-void put(Writer& out, const ColorRange& range) {
-  out.put(static_cast<qint32>(range.rule));
-  out.put(range.percent);
-  out.put(range.half_width);
+void fields(auto& stream, Is<ColorRange> auto& range) {
+  stream.word(range.rule, ColorRange::Rule::percentile_each);
+  stream.number(range.percent);
+  stream.number(range.half_width);
 }
 
-ColorRange color_range(Reader& in) {
-  ColorRange range;
-  range.rule = in.word(ColorRange::Rule::percentile_each);
-  range.percent = in.number<double>();
-  range.half_width = in.number<double>();
-  if (!(range.percent >= 50 && range.percent <= 100 && range.half_width > 0))
-    in.fail(say("a range of colours is not known"));
-  return range;
+void fields(auto& stream, Is<SessionView> auto& view) {
+  for (auto* v : {&view.from.focus, &view.from.eye, &view.from.up}) stream.vector(*v);
+  stream.word(view.look.shading, Shading::deviation);
+  stream.word(view.look.edges, Edges::shown);
+  stream.word(view.look.seams, Seams::shown);
+  stream.word(view.look.map, ColorMap::grey);
+  fields(stream, view.look.H);
+  fields(stream, view.look.K);
+  stream.whole(view.look.stripes);
 }
 
-void put(Writer& out, const SessionView& view) {
-  for (const Vec3* v : {&view.from.focus, &view.from.eye, &view.from.up}) out.put(*v);
-  out.put(static_cast<qint32>(view.look.shading));
-  out.put(static_cast<qint32>(view.look.edges));
-  out.put(static_cast<qint32>(view.look.seams));
-  out.put(static_cast<qint32>(view.look.map));
-  put(out, view.look.H);
-  put(out, view.look.K);
-  out.put(static_cast<qint32>(view.look.stripes));
+void fields(auto& stream, Is<TriangleSoup> auto& surface) {
+  stream.array(surface.points);
+  stream.array(surface.triangles);
+  stream.array(surface.colors);
 }
 
-SessionView session_view(Reader& in) {
-  SessionView view;
-  for (Vec3* v : {&view.from.focus, &view.from.eye, &view.from.up}) {
-    *v = in.vector();
-    if (!v->allFinite()) in.fail(say("a coordinate is not a finite number"));
-  }
-  if (view.from.focus == view.from.eye || !(view.from.up.norm() > 0)) in.fail(say("the view is from nowhere"));
-  view.look.shading = in.word(Shading::deviation);
-  view.look.edges = in.word(Edges::shown);
-  view.look.seams = in.word(Seams::shown);
-  view.look.map = in.word(ColorMap::grey);
-  view.look.H = color_range(in);
-  view.look.K = color_range(in);
-  view.look.stripes = in.number<qint32>();
+void check(const SessionReader& in, const SessionView& view) {
+  const Viewpoint& from = view.from;
+  if (!from.focus.allFinite() || !from.eye.allFinite() || !from.up.allFinite())
+    in.fail(say("a coordinate is not a finite number"));
+  if (from.focus == from.eye || !(from.up.norm() > 0)) in.fail(say("the view is from nowhere"));
+  for (const ColorRange* range : {&view.look.H, &view.look.K})
+    if (!(range->percent >= 50 && range->percent <= 100 && range->half_width > 0))
+      in.fail(say("a range of colours is not known"));
   if (view.look.stripes < 3 || view.look.stripes > 40) in.fail(say("the number of stripes is out of range"));
-  return view;
 }
 
-std::shared_ptr<const TriangleSoup> made_surface(Reader& in) {
-  auto soup = std::make_shared<TriangleSoup>();
-  soup->points = in.array<Vec3>();
-  soup->triangles = in.array<Triangle>();
-  soup->colors = in.array<Color>();
-  const int n = static_cast<int>(soup->points.size());
-  for (const Triangle& t : soup->triangles)
+void check(const SessionReader& in, const TriangleSoup& surface) {
+  const int n = static_cast<int>(surface.points.size());
+  for (const Triangle& t : surface.triangles)
     for (int v : t)
       if (v < 0 || v >= n) in.fail(say("a triangle names a vertex that does not exist"));
-  for (const Vec3& p : soup->points)
+  for (const Vec3& p : surface.points)
     if (!p.allFinite()) in.fail(say("a coordinate is not a finite number"));
-  if (!soup->colors.empty() && soup->colors.size() != soup->points.size()) in.fail(say("the colours are not complete"));
-  return soup;
+  if (!surface.colors.empty() && surface.colors.size() != surface.points.size())
+    in.fail(say("the colours are not complete"));
 }
 
 QString found(const QString& absolute, const QString& relative, const QString& session) {
@@ -119,73 +100,73 @@ Session session_of(const Document& document, const ViewSource& view) {
 
 QByteArray to_bytes(const Session& session, const QString& beside) {
   QByteArray bytes;
-  Writer out(bytes);
+  SessionWriter out(bytes);
   out.raw(magic, sizeof magic - 1);
-  out.put(format_version);
-  out.put(static_cast<quint64>(session.scans.size()));
-  for (const SessionScan& scan : session.scans) {
-    out.put(scan.path);
-    out.put(scan.path.isEmpty() ? QString() : QDir(beside).relativeFilePath(scan.path));
-    out.put(static_cast<quint64>(scan.fingerprint));
-    out.put(static_cast<qint32>(scan.made ? 1 : 0));
-    if (!scan.made) continue;
-    out.put(scan.name);
-    out.put(scan.made->points);
-    out.put(scan.made->triangles);
-    out.put(scan.made->colors);
-  }
-  out.put(static_cast<quint64>(session.patches.size()));
-  for (const SessionPatch& patch : session.patches) {
-    out.put(static_cast<qint32>(patch.scan));
-    out.put(patch.loop_numbers);
-    out.put(static_cast<qint32>(patch.acceptance));
+  out.whole(format_version);
+  out.list(session.scans, 0, [&](const SessionScan& scan) {
+    out.text(scan.path);
+    out.text(scan.path.isEmpty() ? QString() : QDir(beside).relativeFilePath(scan.path));
+    out.whole(scan.fingerprint);
+    out.flag(scan.made != nullptr);
+    if (!scan.made) return;
+    out.text(scan.name);
+    fields(out, *scan.made);
+  });
+  out.list(session.patches, 0, [&](const SessionPatch& patch) {
+    out.whole(patch.scan);
+    out.array(patch.loop_numbers);
+    out.word(patch.acceptance, Acceptance::accepted);
     put(out, *patch.state);
-  }
-  out.put(static_cast<qint32>(session.view.has_value()));
-  if (session.view) put(out, *session.view);
-  for (const SessionScan& scan : session.scans) out.put(QString::fromStdString(scan.unit));
+  });
+  out.flag(session.view.has_value());
+  if (session.view) fields(out, *session.view);
+  for (const SessionScan& scan : session.scans) out.text(scan.unit);
   return bytes;
 }
 
 namespace {
-
-SessionPatch session_patch(Reader& in, int scans) {
-  SessionPatch entry;
-  entry.scan = in.number<qint32>();
-  if (entry.scan < 0 || entry.scan >= scans) in.fail(say("a patch belongs to no scan"));
-  entry.loop_numbers = in.array<int>();
-  entry.acceptance = in.word(Acceptance::accepted);
-  entry.state = read_state(in);
-  if (entry.loop_numbers.size() != entry.state->patch.loops.size())
-    in.fail(say("the loops of a patch are not complete"));
-  return entry;
-}
 
 Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   constexpr int magic_size = sizeof magic - 1;
   if (!bytes.startsWith(QByteArray::fromRawData(magic, magic_size)))
     throw ReadError(file_path(path), say("this is not a session of Loopmend"), {},
                     say("Choose a file that Loopmend saved."));
-  Reader in(bytes.mid(magic_size), path);
-  if (in.number<qint32>() != format_version)
+  SessionReader in(bytes.mid(magic_size), path);
+  if (in.taken<qint32>() != format_version)
     throw ReadError(file_path(path), say("this session is of another version of Loopmend"), {},
                     say("Open it with the version that saved it."));
   Session session;
-  const int scans = in.count(sizeof(quint64));
-  for (int i = 0; i < scans; ++i) {
-    const QString absolute = in.text(), relative = in.text();
-    SessionScan entry{found(absolute, relative, path), in.number<quint64>(), {}, nullptr, {}, nullptr};
-    if (in.number<qint32>() != 0) {
-      entry.name = in.text();
-      entry.made = made_surface(in);
-    }
-    session.scans.push_back(std::move(entry));
+  in.list(session.scans, sizeof(quint64), [&](SessionScan& scan) {
+    const auto absolute = in.taken<QString>(), relative = in.taken<QString>();
+    scan.path = found(absolute, relative, path);
+    in.whole(scan.fingerprint);
+    bool is_made = false;
+    in.flag(is_made);
+    if (!is_made) return;
+    in.text(scan.name);
+    const auto surface = std::make_shared<TriangleSoup>();
+    fields(in, *surface);
+    check(in, *surface);
+    scan.made = surface;
+  });
+  in.list(session.patches, sizeof(quint64), [&](SessionPatch& patch) {
+    in.whole(patch.scan);
+    if (patch.scan < 0 || patch.scan >= static_cast<int>(session.scans.size()))
+      in.fail(say("a patch belongs to no scan"));
+    in.array(patch.loop_numbers);
+    in.word(patch.acceptance, Acceptance::accepted);
+    patch.state = read_state(in);
+    if (patch.loop_numbers.size() != patch.state->patch.loops.size())
+      in.fail(say("the loops of a patch are not complete"));
+  });
+  bool has_view = false;
+  in.flag(has_view);
+  if (has_view) {
+    fields(in, session.view.emplace());
+    check(in, *session.view);
   }
-  const int patches = in.count(sizeof(quint64));
-  for (int i = 0; i < patches; ++i) session.patches.push_back(session_patch(in, scans));
-  if (in.number<qint32>() != 0) session.view = session_view(in);
   for (SessionScan& scan : session.scans) {
-    scan.unit = in.text().toStdString();
+    in.text(scan.unit);
     if (!scan.unit.empty() && !is_length_unit(scan.unit)) in.fail(say("a unit of length is not known"));
   }
   if (!in.at_end()) in.fail(say("there is more in the file than there should be"));

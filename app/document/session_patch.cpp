@@ -7,45 +7,103 @@
 namespace loopmend {
 namespace {
 
-using Writer = SessionWriter;
-using Reader = SessionReader;
-
-void put(Writer& out, const SeamReport& seam) {
-  for (double x : {seam.g1_rms_deg, seam.g1_max_deg, seam.h_jump_rms, seam.h_jump_max, seam.h_jump_rms_times_diameter})
-    out.put(x);
+void fields(auto& stream, Is<Patch> auto& patch) {
+  stream.whole(patch.free_count);
+  stream.whole(patch.patch_triangles);
+  stream.array(patch.positions);
+  stream.array(patch.triangles);
+  stream.array(patch.ring);
+  stream.array(patch.view_vertex);
+  stream.list(patch.loops, sizeof(quint64), [&](auto& loop) { stream.array(loop); });
+  stream.array(patch.loop_numbers);
+  stream.vector(patch.center);
+  stream.number(patch.scale);
 }
 
-SeamReport seam(Reader& in) {
-  SeamReport s;
-  for (double* x : {&s.g1_rms_deg, &s.g1_max_deg, &s.h_jump_rms, &s.h_jump_max, &s.h_jump_rms_times_diameter})
-    *x = in.number<double>();
-  return s;
+/// @param depth  of arguments within arguments that may still come: a damaged file must not exhaust the stack
+void fields(auto& stream, Is<Message> auto& message, int depth = 16) {
+  if constexpr (is_reading<decltype(stream)>)
+    if (depth == 0) stream.fail(say("a message is nested too deep"));
+  stream.text(message.text);
+  stream.text(message.code);
+  stream.flag(message.is_verbatim);
+  stream.list(message.arguments, sizeof(qint32), [&](auto& argument) { fields(stream, argument, depth - 1); });
 }
 
-void put(Writer& out, const Verdict& verdict) {
-  out.put(static_cast<qint32>(verdict.grade));
-  for (double x : {verdict.crease_deg, verdict.height}) out.put(x);
-  out.put(static_cast<qint32>(verdict.folds));
-  out.put(static_cast<quint64>(verdict.findings.size()));
-  for (const Notice& finding : verdict.findings) {
-    out.put(static_cast<qint32>(finding.code));
-    out.put(static_cast<quint64>(finding.arguments.size()));
-    for (double argument : finding.arguments) out.put(argument);
+void fields(auto& stream, Is<RunRecipe> auto& run) {
+  stream.word(run.flow, FlowKind::mmcvf);
+  stream.word(run.mode, EvolutionMode::steps);
+  stream.number(run.sigma);
+  stream.whole(run.steps);
+  stream.word(run.end, RunRecipe::End::unnamed);
+  stream.word(run.boundary, BoundaryTrust::robust);
+  stream.word(run.continuity, SeamContinuity::curvature);
+  stream.word(run.relief.kind, ReliefChoice::Kind::continued);
+  stream.whole(run.relief.seed);
+  stream.word(run.edges, SharpEdges::rounded);
+  stream.word(run.mirror, RunRecipe::Mirror::placed);
+  std::vector<int> drawn;
+  for (const auto& [a, b] : run.edge_edits.drawn) drawn.insert(drawn.end(), {a, b});
+  stream.array(drawn);
+  if constexpr (is_reading<decltype(stream)>) {
+    if (drawn.size() % 2 != 0) stream.fail(say("a sharp edge has one end only"));
+    for (std::size_t k = 0; k < drawn.size(); k += 2) run.edge_edits.drawn.emplace_back(drawn[k], drawn[k + 1]);
   }
+  stream.array(run.edge_edits.stopped);
+  stream.vector(run.mirror_plane.point);
+  stream.vector(run.mirror_plane.normal);
 }
 
-void put(Writer& out, const Patch& patch) {
-  out.put(static_cast<qint32>(patch.free_count));
-  out.put(static_cast<qint32>(patch.patch_triangles));
-  out.put(patch.positions);
-  out.put(patch.triangles);
-  out.put(patch.ring);
-  out.put(patch.view_vertex);
-  out.put(static_cast<quint64>(patch.loops.size()));
-  for (const auto& loop : patch.loops) out.put(loop);
-  out.put(patch.loop_numbers);
-  out.put(patch.center);
-  out.put(patch.scale);
+void fields(auto& stream, Is<PatchRecipe> auto& recipe) {
+  stream.number(recipe.density);
+  stream.word(recipe.start, PatchRecipe::Start::bridge);
+  stream.list(recipe.runs, sizeof(double), [&](auto& run) { fields(stream, run); });
+}
+
+void fields(auto& stream, Is<StepRecord> auto& step) {
+  stream.whole(step.step);
+  for (auto* x : {&step.energy, &step.sigma, &step.tau, &step.max_move}) stream.number(*x);
+}
+
+void fields(auto& stream, Is<SeamReport> auto& seam) {
+  for (auto* x :
+       {&seam.g1_rms_deg, &seam.g1_max_deg, &seam.h_jump_rms, &seam.h_jump_max, &seam.h_jump_rms_times_diameter})
+    stream.number(*x);
+}
+
+void fields(auto& stream, Is<Verdict> auto& verdict) {
+  stream.word(verdict.grade, Grade::bad);
+  for (auto* x : {&verdict.crease_deg, &verdict.height}) stream.number(*x);
+  stream.whole(verdict.folds);
+  stream.list(verdict.findings, sizeof(qint32), [&](auto& finding) {
+    stream.word(finding.code, NoticeCode::mirror_faulty);
+    stream.list(finding.arguments, sizeof(double), [&](auto& argument) { stream.number(argument); });
+  });
+}
+
+void fields(auto& stream, Is<PatchState> auto& state) {
+  fields(stream, state.patch);
+  stream.word(state.status, PatchStatus::step_limit);
+  fields(stream, state.message);
+  fields(stream, state.recipe);
+  stream.word(state.flow, FlowKind::mmcvf);
+  stream.whole(state.steps);
+  StepRecord last = state.last_step;
+  last.energy = state.energy.final;
+  fields(stream, last);
+  if constexpr (is_reading<decltype(stream)>) {
+    state.last_step = last;
+    state.energy.final = last.energy;
+  }
+  stream.number(state.energy.initial);
+  stream.number(state.seconds.total);
+  for (auto* reports : {&state.seams_before, &state.seams})
+    stream.list(*reports, 5 * sizeof(double), [&](auto& report) { fields(stream, report); });
+  stream.list(state.verdicts, 3 * sizeof(double), [&](auto& verdict) { fields(stream, verdict); });
+  stream.list(state.deviation.loops, 4 * sizeof(double), [&](auto& e) {
+    for (auto* figure : {&e.half, &e.likely, &e.most, &e.second_order}) stream.number(*figure);
+  });
+  stream.array(state.deviation.vertices);
 }
 
 bool in_range(const std::vector<int>& values, int low, int high) {
@@ -53,7 +111,7 @@ bool in_range(const std::vector<int>& values, int low, int high) {
 }
 
 /// What the engine takes for granted of a patch, and would follow into memory that is not there.
-void check_sizes(const Reader& in, const Patch& patch) {
+void check_sizes(const SessionReader& in, const Patch& patch) {
   const int n = patch.vertex_count();
   const bool sizes = patch.free_count >= 0 && patch.free_count <= n && patch.patch_triangles >= 0 &&
                      patch.patch_triangles <= static_cast<int>(patch.triangles.size()) &&
@@ -62,7 +120,7 @@ void check_sizes(const Reader& in, const Patch& patch) {
   if (!sizes) in.fail(say("the sizes of a patch disagree"));
 }
 
-void check_vertices(const Reader& in, const Patch& patch) {
+void check_vertices(const SessionReader& in, const Patch& patch) {
   for (int v = 0; v < patch.vertex_count(); ++v) {
     const auto at = static_cast<std::size_t>(v);
     if (!patch.positions[at].allFinite()) in.fail(say("a coordinate is not a finite number"));
@@ -72,7 +130,7 @@ void check_vertices(const Reader& in, const Patch& patch) {
   }
 }
 
-void check_triangles(const Reader& in, const Patch& patch) {
+void check_triangles(const SessionReader& in, const Patch& patch) {
   const int n = patch.vertex_count();
   std::vector<std::pair<int, int>> edges;
   for (const Triangle& t : patch.triangles)
@@ -87,16 +145,16 @@ void check_triangles(const Reader& in, const Patch& patch) {
     in.fail(say("the triangles of a patch do not fit"));
 }
 
-void check_loops(const Reader& in, const Patch& patch) {
+void check_loops(const SessionReader& in, const Patch& patch) {
   for (const auto& loop : patch.loops) {
     if (loop.empty() || !in_range(loop, 0, patch.vertex_count()))
       in.fail(say("a loop names a vertex that does not exist"));
     for (int v : loop)
-      if (patch.ring[static_cast<std::size_t>(v)] != 1) in.fail(say("a loop is not the boundary of its patch"));
+      if (patch.ring[v] != 1) in.fail(say("a loop is not the boundary of its patch"));
   }
 }
 
-void check(const Reader& in, const Patch& patch) {
+void check(const SessionReader& in, const Patch& patch) {
   check_sizes(in, patch);
   check_vertices(in, patch);
   check_triangles(in, patch);
@@ -105,175 +163,27 @@ void check(const Reader& in, const Patch& patch) {
     in.fail(say("the frame of a patch is not known"));
 }
 
-Patch patch(Reader& in) {
-  Patch p;
-  p.free_count = in.number<qint32>();
-  p.patch_triangles = in.number<qint32>();
-  p.positions = in.array<Vec3>();
-  p.triangles = in.array<Triangle>();
-  p.ring = in.array<int>();
-  p.view_vertex = in.array<int>();
-  const int loops = in.count(sizeof(quint64));
-  for (int i = 0; i < loops; ++i) p.loops.push_back(in.array<int>());
-  p.loop_numbers = in.array<int>();
-  p.center = in.vector();
-  p.scale = in.number<double>();
-  check(in, p);
-  return p;
-}
-
-void put(Writer& out, const PatchRecipe& recipe) {
-  out.put(recipe.density);
-  out.put(static_cast<qint32>(recipe.start));
-  out.put(static_cast<quint64>(recipe.runs.size()));
-  for (const RunRecipe& run : recipe.runs) {
-    out.put(static_cast<qint32>(run.flow));
-    out.put(static_cast<qint32>(run.mode));
-    out.put(run.sigma);
-    out.put(static_cast<qint32>(run.steps));
-    out.put(static_cast<qint32>(run.end));
-    out.put(static_cast<qint32>(run.boundary));
-    out.put(static_cast<qint32>(run.continuity));
-    out.put(static_cast<qint32>(run.relief.kind));
-    out.put(static_cast<quint64>(run.relief.seed));
-    for (const qint32 word : {static_cast<qint32>(run.edges), static_cast<qint32>(run.mirror)}) out.put(word);
-    std::vector<int> drawn;
-    for (const auto& [a, b] : run.edge_edits.drawn) drawn.insert(drawn.end(), {a, b});
-    out.put(drawn);
-    out.put(run.edge_edits.stopped);
-    out.put(run.mirror_plane.point);
-    out.put(run.mirror_plane.normal);
-  }
-}
-
-PatchRecipe recipe(Reader& in) {
-  PatchRecipe r;
-  r.density = in.number<double>();
-  if (!(r.density > 0) || !std::isfinite(r.density)) in.fail(say("a density is out of range"));
-  r.start = in.word(PatchRecipe::Start::bridge);
-  for (int runs = in.count(sizeof(double)); runs > 0; --runs) {
-    RunRecipe run;
-    run.flow = in.word(FlowKind::mmcvf);
-    run.mode = in.word(EvolutionMode::steps);
-    run.sigma = in.number<double>();
-    run.steps = in.number<qint32>();
-    run.end = in.word(RunRecipe::End::unnamed);
-    run.boundary = in.word(BoundaryTrust::robust);
-    run.continuity = in.word(SeamContinuity::curvature);
-    run.relief.kind = in.word(ReliefChoice::Kind::continued);
-    run.relief.seed = in.number<quint64>();
-    run.edges = in.word(SharpEdges::rounded);
-    run.mirror = in.word(RunRecipe::Mirror::placed);
-    const std::vector<int> drawn = in.array<int>();
-    if (drawn.size() % 2 != 0) in.fail(say("a sharp edge has one end only"));
-    for (std::size_t k = 0; k < drawn.size(); k += 2) run.edge_edits.drawn.emplace_back(drawn[k], drawn[k + 1]);
-    run.edge_edits.stopped = in.array<int>();
-    run.mirror_plane.point = in.vector();
-    run.mirror_plane.normal = in.vector();
+void check(const SessionReader& in, const PatchRecipe& recipe) {
+  if (!(recipe.density > 0) || !std::isfinite(recipe.density)) in.fail(say("a density is out of range"));
+  for (const RunRecipe& run : recipe.runs)
     if (!run.mirror_plane.point.allFinite() || !(std::abs(run.mirror_plane.normal.norm() - 1) < 1e-6))
       in.fail(say("a mirror plane is out of range"));
-    r.runs.push_back(run);
-  }
-  return r;
-}
-
-void put(Writer& out, const StepRecord& step) {
-  out.put(static_cast<qint32>(step.step));
-  for (double x : {step.energy, step.sigma, step.tau, step.max_move}) out.put(x);
-}
-
-StepRecord step(Reader& in) {
-  StepRecord s;
-  s.step = in.number<qint32>();
-  for (double* x : {&s.energy, &s.sigma, &s.tau, &s.max_move}) *x = in.number<double>();
-  return s;
-}
-
-void put(Writer& out, const Message& message) {
-  for (const std::string* text : {&message.text, &message.code}) out.put(QString::fromStdString(*text));
-  out.put(static_cast<qint32>(message.is_verbatim));
-  out.put(static_cast<quint64>(message.arguments.size()));
-  for (const Message& argument : message.arguments) put(out, argument);
-}
-
-/// @param depth  of arguments within arguments that may still come: a damaged file must not exhaust the stack
-Message message(Reader& in, int depth = 16) {
-  if (depth == 0) in.fail(say("a message is nested too deep"));
-  Message m;
-  for (std::string* text : {&m.text, &m.code}) *text = in.text().toStdString();
-  m.is_verbatim = in.number<qint32>() != 0;
-  for (int arguments = in.count(sizeof(qint32)); arguments > 0; --arguments)
-    m.arguments.push_back(message(in, depth - 1));
-  return m;
-}
-
-Verdict verdict(Reader& in) {
-  Verdict v;
-  v.grade = in.word(Grade::bad);
-  for (double* x : {&v.crease_deg, &v.height}) *x = in.number<double>();
-  v.folds = in.number<qint32>();
-  const int findings = in.count(sizeof(qint32));
-  for (int i = 0; i < findings; ++i) {
-    Notice finding{in.word(NoticeCode::mirror_faulty), {}};
-    const int arguments = in.count(sizeof(double));
-    for (int k = 0; k < arguments; ++k) finding.arguments.push_back(in.number<double>());
-    v.findings.push_back(std::move(finding));
-  }
-  return v;
 }
 
 }  // namespace
 
-void put(SessionWriter& out, const PatchState& state) {
-  put(out, state.patch);
-  out.put(static_cast<qint32>(state.status));
-  put(out, state.message);
-  put(out, state.recipe);
-  out.put(static_cast<qint32>(state.flow));
-  out.put(static_cast<qint32>(state.steps));
-  StepRecord last = state.last_step;
-  last.energy = state.energy.final;
-  put(out, last);
-  out.put(state.energy.initial);
-  out.put(state.seconds.total);
-  for (const auto* reports : {&state.seams_before, &state.seams}) {
-    out.put(static_cast<quint64>(reports->size()));
-    for (const SeamReport& report : *reports) put(out, report);
-  }
-  out.put(static_cast<quint64>(state.verdicts.size()));
-  for (const Verdict& verdict : state.verdicts) put(out, verdict);
-  out.put(static_cast<quint64>(state.deviation.loops.size()));
-  for (const auto& e : state.deviation.loops)
-    for (double figure : {e.half, e.likely, e.most, e.second_order}) out.put(figure);
-  out.put(state.deviation.vertices);
-}
+void put(SessionWriter& out, const PatchState& state) { fields(out, state); }
 
 PatchStatePtr read_state(SessionReader& in) {
   auto s = std::make_shared<PatchState>();
-  s->patch = patch(in);
-  s->status = in.word(PatchStatus::step_limit);
-  s->message = message(in);
-  s->recipe = recipe(in);
+  fields(in, *s);
+  check(in, s->patch);
+  check(in, s->recipe);
   s->patch.grading.density = s->recipe.density;
-  s->flow = in.word(FlowKind::mmcvf);
-  s->steps = in.number<qint32>();
-  s->last_step = step(in);
-  s->energy = {in.number<double>(), s->last_step.energy};
-  s->seconds.total = in.number<double>();
-  for (auto* reports : {&s->seams_before, &s->seams}) {
-    const int count = in.count(5 * sizeof(double));
-    for (int i = 0; i < count; ++i) reports->push_back(seam(in));
-  }
   if (s->seams.size() != s->patch.loops.size() || s->seams_before.size() != s->seams.size())
     in.fail(say("the seams of a patch are not complete"));
-  for (int verdicts = in.count(3 * sizeof(double)); verdicts > 0; --verdicts) s->verdicts.push_back(verdict(in));
   if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
     in.fail(say("the verdicts of a patch are not complete"));
-  for (int loops = in.count(4 * sizeof(double)); loops > 0; --loops) {
-    ExpectedDeviation& e = s->deviation.loops.emplace_back();
-    for (double* figure : {&e.half, &e.likely, &e.most, &e.second_order}) *figure = in.number<double>();
-  }
-  s->deviation.vertices = in.array<double>();
   if (!s->deviation.vertices.empty() && s->deviation.vertices.size() != static_cast<std::size_t>(s->patch.free_count))
     in.fail(say("the likely errors of a patch are not complete"));
   return s;

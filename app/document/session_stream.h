@@ -9,13 +9,21 @@
 #include <QDataStream>
 #include <QString>
 
+#include <concepts>
+#include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace loopmend {
 
-/// Words and numbers in one fixed layout, little-endian, doubles in full.
+/// A thing or a constant one: what is written and what is read are named by the same function (session_patch.cpp).
+template <class T, class Thing>
+concept Is = std::same_as<std::remove_const_t<T>, Thing>;
+
+/// Words and numbers in one fixed layout, little-endian, doubles in full. Each of its functions has one of the same name in
+/// SessionReader, which reads what this one writes.
 class SessionWriter {
  public:
   explicit SessionWriter(QByteArray& bytes) : out_(&bytes, QIODevice::WriteOnly) { settle(out_); }
@@ -24,35 +32,32 @@ class SessionWriter {
     stream.setByteOrder(QDataStream::LittleEndian);
     stream.setFloatingPointPrecision(QDataStream::DoublePrecision);
   }
-  void put(qint32 value) { out_ << value; }
-  void put(quint64 value) { out_ << value; }
-  void put(double value) { out_ << value; }
-  void put(const QString& value) { out_ << value; }
-  void put(const Vec3& value) {
-    for (double x : value) put(x);
-  }
-  void put(const std::vector<int>& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(int));
-  }
-  void put(const std::vector<double>& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(double));
-  }
-  void put(const Points& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(Vec3));
-  }
-  void put(const std::vector<Color>& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(Color));
-  }
-  void put(const Triangles& values) {
-    put(static_cast<quint64>(values.size()));
-    raw(values.data(), values.size() * sizeof(Triangle));
-  }
   void raw(const void* data, std::size_t size) {
     out_.writeRawData(static_cast<const char*>(data), static_cast<int>(size));
+  }
+
+  void number(double value) { out_ << value; }
+  void whole(int value) { out_ << static_cast<qint32>(value); }
+  void whole(std::uint64_t value) { out_ << static_cast<quint64>(value); }
+  void flag(bool value) { whole(static_cast<int>(value)); }
+  void text(const QString& value) { out_ << value; }
+  void text(const std::string& value) { out_ << QString::fromStdString(value); }
+  template <class E>
+  void word(E value, E /*last*/) {
+    whole(static_cast<int>(value));
+  }
+  void vector(const Vec3& value) {
+    for (double x : value) number(x);
+  }
+  template <class T>
+  void array(const std::vector<T>& values) {
+    whole(std::uint64_t{values.size()});
+    raw(values.data(), values.size() * sizeof(T));
+  }
+  template <class T, class Each>
+  void list(const std::vector<T>& values, std::size_t /*bytes_each*/, const Each& each) {
+    whole(std::uint64_t{values.size()});
+    for (const T& value : values) each(value);
   }
 
  private:
@@ -67,49 +72,65 @@ class SessionReader {
     throw ReadError(file_path(path_), std::move(problem), say("byte %1", in_.device()->pos()),
                     say("Open the scan itself instead; the session file is damaged."));
   }
-  template <class T>
-  T number() {
-    T value{};
-    in_ >> value;
-    check();
-    return value;
-  }
-  QString text() { return number<QString>(); }
-  Vec3 vector() {
-    Vec3 v;
-    for (double& x : v) x = number<double>();
-    return v;
-  }
-  template <class T>
-  std::vector<T> array() {
-    const auto count = number<quint64>();
-    if (count > static_cast<quint64>(in_.device()->bytesAvailable()) / sizeof(T)) fail(say("the file ends too early"));
-    std::vector<T> values(static_cast<std::size_t>(count));
-    in_.readRawData(reinterpret_cast<char*>(values.data()), static_cast<int>(count * sizeof(T)));
-    check();
-    return values;
-  }
-  /// A count of things that take at least `bytes_each`.
-  int count(quint64 bytes_each) {
-    const auto n = number<quint64>();
-    if (n > static_cast<quint64>(in_.device()->bytesAvailable()) / bytes_each) fail(say("the file ends too early"));
-    return static_cast<int>(n);
-  }
+
+  void number(double& value) { take(value); }
+  void whole(int& value) { value = taken<qint32>(); }
+  void whole(std::uint64_t& value) { value = taken<quint64>(); }
+  void flag(bool& value) { value = taken<qint32>() != 0; }
+  void text(QString& value) { take(value); }
+  void text(std::string& value) { value = taken<QString>().toStdString(); }
   /// An enumerator up to `last`.
   template <class E>
-  E word(E last) {
-    const auto value = number<qint32>();
-    if (value < 0 || value > static_cast<qint32>(last)) fail(say("a word is not known"));
-    return static_cast<E>(value);
+  void word(E& value, E last) {
+    const auto read = taken<qint32>();
+    if (read < 0 || read > static_cast<qint32>(last)) fail(say("a word is not known"));
+    value = static_cast<E>(read);
+  }
+  void vector(Vec3& value) {
+    for (double& x : value) number(x);
+  }
+  template <class T>
+  void array(std::vector<T>& values) {
+    values.resize(count(sizeof(T)));
+    in_.readRawData(reinterpret_cast<char*>(values.data()), static_cast<int>(values.size() * sizeof(T)));
+    check();
+  }
+  /// Of things that take at least `bytes_each`, each read by each(thing).
+  template <class T, class Each>
+  void list(std::vector<T>& values, std::size_t bytes_each, const Each& each) {
+    for (std::size_t n = count(bytes_each); n > 0; --n) each(values.emplace_back());
+  }
+  /// A count of things that take at least `bytes_each`.
+  std::size_t count(std::size_t bytes_each) {
+    const auto n = taken<quint64>();
+    if (n > static_cast<quint64>(in_.device()->bytesAvailable()) / bytes_each) fail(say("the file ends too early"));
+    return static_cast<std::size_t>(n);
+  }
+  /// The next value, of this type of Qt.
+  template <class T>
+  T taken() {
+    T value{};
+    take(value);
+    return value;
   }
   bool at_end() const { return in_.atEnd(); }
 
  private:
+  template <class T>
+  void take(T& value) {
+    in_ >> value;
+    check();
+  }
   void check() const {
     if (in_.status() != QDataStream::Ok) fail(say("the file ends too early"));
   }
+
   QDataStream in_;
   QString path_;
 };
+
+/// Whether a stream is one that reads.
+template <class Stream>
+constexpr bool is_reading = std::same_as<std::remove_reference_t<Stream>, SessionReader>;
 
 }  // namespace loopmend

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/shell_words.h"
 
+#include "evolution/option_names.h"
 #include "flows/flow_terms.h"
 
 #include <QDir>
@@ -15,10 +16,10 @@ QString word(FlowKind flow) { return QLatin1String(to_string(flow)); }
 
 QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity) {
   QString text;
-  if (boundary == BoundaryTrust::exact) text += QStringLiteral(" --boundary exact");
-  if (boundary == BoundaryTrust::robust) text += QStringLiteral(" --boundary robust");
-  if (continuity == SeamContinuity::position) text += QStringLiteral(" --continuity position");
-  if (continuity == SeamContinuity::tangent) text += QStringLiteral(" --continuity tangent");
+  if (boundary != BoundaryTrust::automatic)
+    text += QStringLiteral(" --boundary ") + QLatin1String(name_of(boundary_names, boundary));
+  if (continuity != SeamContinuity::curvature)
+    text += QStringLiteral(" --continuity ") + QLatin1String(name_of(continuity_names, continuity));
   return text;
 }
 

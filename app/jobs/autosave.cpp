@@ -33,10 +33,6 @@ Autosave::Autosave(const Document& document, const UndoHistory& undo, QObject* p
   connect(&undo, &UndoHistory::changed, this, &Autosave::change_soon);
 }
 
-Autosave::~Autosave() {
-  if (job_) job_->cancel();
-}
-
 void Autosave::set_delay(int seconds) { timer_.setInterval(seconds * 1000); }
 
 void Autosave::change_soon() {
@@ -58,7 +54,7 @@ void Autosave::write() {
     lock_->setStaleLockTime(0);
     lock_->tryLock(0);
   }
-  if (job_) job_->cancel();
+  drop(job_);
   job_ = std::make_shared<Job>(this);
   const auto work = [this, job = job_, session = session_of(document_, view_), path = path_] {
     const bool whole = writing_.take(*job, [&] {
@@ -87,8 +83,7 @@ void Autosave::take_over(const Leftover& leftover) {
 void Autosave::finish() {
   timer_.stop();
   if (path_.isEmpty()) return;
-  if (job_) job_->cancel();
-  tasks_.wait(std::chrono::seconds(2));
+  tasks_.stop(std::chrono::seconds(2));
   QFile::remove(path_);
   lock_.reset();
   path_.clear();

@@ -7,7 +7,6 @@
 #include "document/undo_history.h"
 #include "jobs/task_runner.h"
 
-#include <QDateTime>
 #include <QLockFile>
 #include <QObject>
 #include <QTimer>
@@ -27,7 +26,6 @@ class Autosave : public QObject {
 
  public:
   Autosave(const Document& document, const UndoHistory& undo, QObject* parent = nullptr);
-  ~Autosave() override;
 
   void set_delay(int seconds);
   /// How the scene is looked at, for the copy.

@@ -14,8 +14,7 @@ namespace loopmend {
 namespace {
 
 /// The faces of the scan that lie near the holes.
-std::shared_ptr<const SurfaceShape> surface_around(const SurfaceShape& scan, const std::vector<BoundaryLoop>& loops,
-                                                   const Vec3& origin) {
+SurfaceShapePtr surface_around(const SurfaceShape& scan, const std::vector<BoundaryLoop>& loops, const Vec3& origin) {
   constexpr double reach = 1.0;  // diameters of the box around the loops, beyond it
   Eigen::AlignedBox3d box;
   for (const BoundaryLoop& loop : loops) {
@@ -56,10 +55,6 @@ CandidateController::CandidateController(Document& document, UndoHistory& undo, 
   connect(&document_, &Document::patch_moved, this, &CandidateController::follow_document);
 }
 
-CandidateController::~CandidateController() {
-  if (job_) job_->cancel();
-}
-
 void CandidateController::compute(int loop) {
   const OpenPatch* patch = document_.patch_of(loop);
   if (!patch || controller_.busy()) return;
@@ -85,8 +80,7 @@ void CandidateController::compute(int loop) {
         });
         parallel_for(0, static_cast<int>(kinds.size()), 1, [&](int k) {
           if (job->token().cancelled()) return;
-          auto candidate =
-              std::make_shared<Candidate>(make_candidate(task, kinds[static_cast<std::size_t>(k)], job->token()));
+          auto candidate = std::make_shared<Candidate>(make_candidate(task, kinds[k], job->token()));
           job->post([this, candidate] { add(std::move(*candidate)); });
         });
         return true;
@@ -143,7 +137,7 @@ void CandidateController::take(int index) {
       if (old->acceptance == Acceptance::accepted) return;
       pairs.push_back({*old, std::nullopt});
     }
-  const Candidate& chosen = candidates_[static_cast<std::size_t>(index)];
+  const Candidate& chosen = candidates_[index];
   for (OpenPatch patch : chosen.patches) {
     patch.id = document_.next_patch_id();
     patch.acceptance = Acceptance::pending;
@@ -164,15 +158,13 @@ void CandidateController::follow_document() {
 
 void CandidateController::cancel() {
   if (!job_) return;
-  job_->cancel();
-  job_.reset();
+  drop(job_);
   Q_EMIT changed();
 }
 
 void CandidateController::forget() {
   if (loops_.empty()) return;
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   done_ = total_ = 0;
   loops_.clear();
   candidates_.clear();
@@ -181,10 +173,7 @@ void CandidateController::forget() {
   Q_EMIT changed();
 }
 
-bool CandidateController::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool CandidateController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 namespace labels {
 

@@ -23,7 +23,6 @@ class CandidateController : public QObject {
 
  public:
   CandidateController(Document& document, UndoHistory& undo, FillController& controller, QObject* parent = nullptr);
-  ~CandidateController() override;
 
   /// Of the patch that closes this hole. What was computed before is dropped.
   void compute(int loop);
@@ -42,7 +41,7 @@ class CandidateController : public QObject {
   /// Why there are none of these kinds, in the engine's words; none that the engine merely passed over.
   const std::map<CandidateKind, Message>& refused() const { return refused_; }
   /// The surface around the holes, for small pictures; null until the first candidate is ready.
-  const std::shared_ptr<const SurfaceShape>& neighborhood() const { return neighborhood_; }
+  const SurfaceShapePtr& neighborhood() const { return neighborhood_; }
 
   /// The candidate comes in place of what closes the holes: one change that can be undone.
   void take(int index);
@@ -69,7 +68,7 @@ class CandidateController : public QObject {
   std::set<int> loops_;
   std::vector<Candidate> candidates_;
   std::map<CandidateKind, Message> refused_;
-  std::shared_ptr<const SurfaceShape> neighborhood_;
+  SurfaceShapePtr neighborhood_;
   std::map<const SurfaceModel*, std::shared_ptr<MirrorPlanes>> mirror_planes_;
 };
 

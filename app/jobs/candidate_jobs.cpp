@@ -2,7 +2,6 @@
 #include "jobs/candidate_jobs.h"
 
 #include "core/error.h"
-#include "document/timeline.h"
 #include "jobs/state_making.h"
 #include "pipeline/fill_holes.h"
 

@@ -9,7 +9,6 @@
 
 #include <mutex>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace loopmend {

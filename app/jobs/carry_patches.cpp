@@ -16,16 +16,16 @@ class Carrier {
         new_points_(new_points),
         view_(to.model->soup.points.size(), none) {
     for (std::size_t v = 0; v < to.model->soup_vertex.size(); ++v) {
-      int& view = view_[static_cast<std::size_t>(to.model->soup_vertex[v])];
+      int& view = view_[to.model->soup_vertex[v]];
       view = view == none ? static_cast<int>(v) : several;
     }
   }
 
   /// Of the new scan's view; negative where there is none, or more than one.
   int vertex(int old_vertex) const {
-    const auto old_point = static_cast<std::size_t>(from_.model->soup_vertex[static_cast<std::size_t>(old_vertex)]);
+    const auto old_point = static_cast<std::size_t>(from_.model->soup_vertex[old_vertex]);
     const int point = new_points_.empty() ? static_cast<int>(old_point) : new_points_[old_point];
-    return point < 0 ? none : view_[static_cast<std::size_t>(point)];
+    return point < 0 ? none : view_[point];
   }
 
   /// The loop that runs through the same vertices; it may begin at another. −1: there is none.
@@ -46,9 +46,9 @@ class Carrier {
     OpenPatch made = old;
     std::vector<int> numbers;
     for (int& l : made.loops) {
-      l = loop(from_.loops[static_cast<std::size_t>(l - first_loop)]);
+      l = loop(from_.loops[l - first_loop]);
       if (l < 0) return std::nullopt;
-      numbers.push_back(to_.loops[static_cast<std::size_t>(l)].number);
+      numbers.push_back(to_.loops[l].number);
     }
     const auto state = [&](const PatchStatePtr& before) -> PatchStatePtr {
       auto after = std::make_shared<PatchState>(*before);

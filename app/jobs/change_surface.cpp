@@ -19,8 +19,8 @@ std::set<Edge> edges_of(const SurfaceModel& model, const std::vector<BoundaryLoo
                         const NewPoints& new_points) {
   std::set<Edge> edges;
   const auto point = [&](int v) {
-    const int p = model.soup_vertex[static_cast<std::size_t>(v)];
-    return new_points.empty() ? p : new_points[static_cast<std::size_t>(p)];
+    const int p = model.soup_vertex[v];
+    return new_points.empty() ? p : new_points[p];
   };
   for (const BoundaryLoop& loop : loops)
     for (std::size_t i = 0; i < loop.vertices.size(); ++i)
@@ -36,9 +36,9 @@ std::vector<std::vector<int>> fans_at(const TriangleSoup& soup, int point, const
     std::vector<int> fan{left.back()};
     left.pop_back();
     for (std::size_t i = 0; i < fan.size(); ++i) {
-      const Triangle& mine = soup.triangles[static_cast<std::size_t>(fan[i])];
+      const Triangle& mine = soup.triangles[fan[i]];
       const auto shares_edge = [&](int f) {
-        const Triangle& other = soup.triangles[static_cast<std::size_t>(f)];
+        const Triangle& other = soup.triangles[f];
         return std::any_of(mine.begin(), mine.end(), [&](int v) {
           return v != point && std::find(other.begin(), other.end(), v) != other.end();
         });
@@ -57,13 +57,13 @@ std::vector<std::vector<int>> fans_at(const TriangleSoup& soup, int point, const
 
 ChangedSurface without_faces_at(const TriangleSoup& soup, const std::vector<int>& points) {
   std::vector<char> chosen(soup.points.size(), 0), used(soup.points.size(), 0), orphan(soup.points.size(), 0);
-  for (int p : points) chosen[static_cast<std::size_t>(p)] = 1;
+  for (int p : points) chosen[p] = 1;
   ChangedSurface result;
   std::vector<int> kept_points, kept_faces;
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     const Triangle& t = soup.triangles[f];
-    const bool gone = std::any_of(t.begin(), t.end(), [&](int v) { return chosen[static_cast<std::size_t>(v)]; });
-    for (int v : t) (gone ? orphan : used)[static_cast<std::size_t>(v)] = 1;
+    const bool gone = std::any_of(t.begin(), t.end(), [&](int v) { return chosen[v]; });
+    for (int v : t) (gone ? orphan : used)[v] = 1;
     result.changes += gone;
     if (!gone) kept_faces.push_back(static_cast<int>(f));
   }
@@ -77,8 +77,8 @@ ChangedSurface without_faces_at(const TriangleSoup& soup, const std::vector<int>
     kept_points.push_back(static_cast<int>(p));
   }
   for (int f : kept_faces) {
-    Triangle t = soup.triangles[static_cast<std::size_t>(f)];
-    for (int& v : t) v = result.new_points[static_cast<std::size_t>(v)];
+    Triangle t = soup.triangles[f];
+    for (int& v : t) v = result.new_points[v];
     result.soup.triangles.push_back(t);
   }
   copy_rows(soup, kept_points, kept_faces, result.soup);
@@ -108,7 +108,7 @@ ChangedSurface parted_at_touches(const SurfaceModel& model, const std::vector<Bo
     std::vector<int> vertices = loop.vertices;
     std::sort(vertices.begin(), vertices.end());
     for (std::size_t i = 1; i < vertices.size(); ++i)
-      if (vertices[i] == vertices[i - 1]) faces_at[model.soup_vertex[static_cast<std::size_t>(vertices[i])]];
+      if (vertices[i] == vertices[i - 1]) faces_at[model.soup_vertex[vertices[i]]];
   }
   for (std::size_t f = 0; f < model.soup.triangles.size(); ++f)
     for (int v : model.soup.triangles[f])
@@ -121,11 +121,11 @@ ChangedSurface parted_at_touches(const SurfaceModel& model, const std::vector<Bo
     result.changes += fans.size() > 1;
     for (std::size_t k = 1; k < fans.size(); ++k) {
       const int twin = static_cast<int>(result.soup.points.size());
-      result.soup.points.push_back(model.soup.points[static_cast<std::size_t>(point)]);
-      if (!model.soup.colors.empty()) result.soup.colors.push_back(model.soup.colors[static_cast<std::size_t>(point)]);
+      result.soup.points.push_back(model.soup.points[point]);
+      if (!model.soup.colors.empty()) result.soup.colors.push_back(model.soup.colors[point]);
       point_of.push_back(point);
       for (int f : fans[k])
-        for (int& v : result.soup.triangles[static_cast<std::size_t>(f)])
+        for (int& v : result.soup.triangles[f])
           if (v == point) v = twin;
     }
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/comparison_controller.h"
 
-#include "analysis/curvature_field.h"
 #include "analysis/surface_distance.h"
 #include "io/read_mesh.h"
 #include "jobs/near_shape.h"
@@ -22,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 std::shared_ptr<ComparedRun> seen(const Patch& patch, int edge, const Vec3& origin) {
   auto state = std::make_shared<ComparedRun>();
   state->patch = patch;
-  state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
+  state->shape = shape_of(patch, origin);
   state->seams = seam_reports(patch);
   state->wide_jump = std::numeric_limits<double>::quiet_NaN();
   if (!patch.loops.empty()) state->profile = profile_across(patch, edge);
@@ -52,19 +51,18 @@ ComparedRunPtr with_distances(const ComparedRun& state, const DistanceSurface& f
   const auto free = static_cast<std::size_t>(patch.free_count);
   std::set<int> boundary;
   for (int f = 0; f < patch.patch_triangles; ++f)
-    for (int v : patch.triangles[static_cast<std::size_t>(f)])
+    for (int v : patch.triangles[f])
       if (v >= patch.free_count) boundary.insert(v);
   Points points;
-  for (int v = 0; v < patch.free_count; ++v)
-    points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
-  for (int v : boundary) points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
+  for (int v = 0; v < patch.free_count; ++v) points.push_back(patch.to_mesh(patch.positions[v]));
+  for (int v : boundary) points.push_back(patch.to_mesh(patch.positions[v]));
   const std::vector<double> distances = signed_distances(points, from.soup, from.tree, cancel);
   measured->distances.assign(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(free));
   auto shape = std::make_shared<SurfaceShape>(*state.shape);
   shape->difference.assign(shape->points.size() / 3, std::numeric_limits<float>::quiet_NaN());
   std::copy(measured->distances.begin(), measured->distances.end(), shape->difference.begin());
   std::size_t next = free;
-  for (int v : boundary) shape->difference[static_cast<std::size_t>(v)] = static_cast<float>(distances[next++]);
+  for (int v : boundary) shape->difference[v] = static_cast<float>(distances[next++]);
   measured->shape = std::move(shape);
   return measured;
 }
@@ -113,15 +111,10 @@ ComparisonController::ComparisonController(ComparisonSource source, QObject* par
   prepare();
 }
 
-ComparisonController::~ComparisonController() {
-  for (const JobPtr& job : {job_, measuring_})
-    if (job) job->cancel();
-}
-
 void ComparisonController::prepare() {
   job_ = std::make_shared<Job>(this);
   struct Prepared {
-    std::shared_ptr<const SurfaceShape> close;
+    SurfaceShapePtr close;
     ComparedRunPtr start;
   };
   tasks_.run(
@@ -192,8 +185,7 @@ void ComparisonController::drop_distances() {
 }
 
 void ComparisonController::measure() {
-  if (measuring_) measuring_->cancel();
-  measuring_.reset();
+  drop(measuring_);
   if (!start_ || stage_ != Stage::ready) return;
   drop_distances();
   if (!from_) return;
@@ -310,8 +302,7 @@ class ComparisonController::FlowRun {
 
 void ComparisonController::run(const EvolutionOptions& base) {
   if (stage_ != Stage::ready) return;
-  if (measuring_) measuring_->cancel();
-  measuring_.reset();
+  drop(measuring_);
   forget_results();
   job_ = std::make_shared<Job>(this);
   auto post = std::make_shared<Post>(flows_.size());
@@ -362,8 +353,7 @@ void ComparisonController::end(const std::shared_ptr<Post>& post) {
 
 void ComparisonController::stop() {
   if (stage_ != Stage::running) return;
-  job_->cancel();
-  job_.reset();
+  drop(job_);
   for (ComparedRunPtr& flow_run : newest_) {
     if (flow_run->stage != ComparedRun::Stage::moving) continue;
     auto state = std::make_shared<ComparedRun>(*flow_run);
@@ -375,10 +365,6 @@ void ComparisonController::stop() {
   measure();
 }
 
-bool ComparisonController::shut_down(std::chrono::milliseconds at_most) {
-  for (const JobPtr& job : {job_, measuring_})
-    if (job) job->cancel();
-  return tasks_.wait(at_most);
-}
+bool ComparisonController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

@@ -9,7 +9,6 @@
 #include <QObject>
 #include <QString>
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,10 +18,10 @@ namespace loopmend {
 
 /// Where a race begins.
 struct ComparisonSource {
-  QString title;                                     ///< "Holes 1 and 3 of bunny.ply"
-  std::function<Patch(const CancelToken&)> start;    ///< called on a worker; may throw Error in words
-  std::shared_ptr<const SurfaceShape> neighborhood;  ///< without what the patch replaces; null where there are none
-  Vec3 origin = Vec3::Zero();                        ///< of `neighborhood`
+  QString title;                                   ///< "Holes 1 and 3 of bunny.ply"
+  std::function<Patch(const CancelToken&)> start;  ///< called on a worker; may throw Error in words
+  SurfaceShapePtr neighborhood;                    ///< without what the patch replaces; null where there are none
+  Vec3 origin = Vec3::Zero();                      ///< of `neighborhood`
 };
 
 /// One flow as far as it has come. Immutable.
@@ -33,7 +32,7 @@ struct ComparedRun : PatchResult {
   double wide_jump = 0;  ///< NaN until the flow has ended
   std::vector<ProfilePoint> profile;
   std::vector<double> distances;  ///< of the free vertices from another surface, signed; empty: not measured
-  std::shared_ptr<const SurfaceShape> shape;
+  SurfaceShapePtr shape;
 };
 using ComparedRunPtr = std::shared_ptr<const ComparedRun>;
 
@@ -56,14 +55,13 @@ class ComparisonController : public QObject {
 
  public:
   explicit ComparisonController(ComparisonSource source, QObject* parent = nullptr);
-  ~ComparisonController() override;
 
   enum class Stage { preparing, ready, running, failed };
   Stage stage() const { return stage_; }
   const QString& title() const { return source_.title; }
 
   int flow_runs() const { return static_cast<int>(flows_.size()); }
-  FlowKind flow(int flow_run) const { return flows_[static_cast<std::size_t>(flow_run)]; }
+  FlowKind flow(int flow_run) const { return flows_[flow_run]; }
   /// Two to four flows, none twice. What was reached is forgotten. Nothing happens while they run.
   void set_flows(const std::vector<FlowKind>& flows);
 
@@ -75,10 +73,10 @@ class ComparisonController : public QObject {
   /// Null before the start is there.
   const ComparedRunPtr& start() const { return start_; }
   /// Of the neighborhood, those near the patch; may be null.
-  const std::shared_ptr<const SurfaceShape>& neighborhood() const { return neighborhood_; }
+  const SurfaceShapePtr& neighborhood() const { return neighborhood_; }
   /// The start until the run moves.
-  const ComparedRunPtr& flow_run(int flow_run) const { return newest_[static_cast<std::size_t>(flow_run)]; }
-  const std::vector<ComparisonPoint>& curve(int flow_run) const { return curves_[static_cast<std::size_t>(flow_run)]; }
+  const ComparedRunPtr& flow_run(int flow_run) const { return newest_[flow_run]; }
+  const std::vector<ComparisonPoint>& curve(int flow_run) const { return curves_[flow_run]; }
   /// What `loopmend compare` would tell; once every run has ended.
   const std::optional<FlowComparison>& comparison() const { return comparison_; }
   /// Distances are measured whenever no flow runs. Empty: not at all.
@@ -105,7 +103,7 @@ class ComparisonController : public QObject {
   ComparisonSource source_;
   Stage stage_ = Stage::preparing;
   std::vector<FlowKind> flows_{FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf};
-  std::shared_ptr<const SurfaceShape> neighborhood_;
+  SurfaceShapePtr neighborhood_;
   ComparedRunPtr start_;
   std::vector<ComparedRunPtr> newest_;
   std::vector<std::vector<ComparisonPoint>> curves_;

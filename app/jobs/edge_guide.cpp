@@ -36,8 +36,7 @@ std::vector<GuideEdge> edges_of(const OpenedScan& scan, int index, const Boundar
       continue;
     }
     GuideEdge straight{GuideEdge::Kind::not_fitting, index, {}, ends.first, ends.second};
-    for (int point : {ends.first, ends.second})
-      straight.line.push_back(scan.model->soup.points[static_cast<std::size_t>(point)] - origin);
+    for (int point : {ends.first, ends.second}) straight.line.push_back(scan.model->soup.points[point] - origin);
     edges.push_back(std::move(straight));
   }
   return edges;
@@ -54,10 +53,6 @@ EdgeGuide::EdgeGuide(Document& document, const HoleSelection& selection, QObject
   connect(&document_, &Document::patches_changed, this, &EdgeGuide::follow);
   connect(&document_, &Document::edge_edits_changed, this, &EdgeGuide::follow);
   connect(&selection_, &HoleSelection::selection_changed, this, &EdgeGuide::follow);
-}
-
-EdgeGuide::~EdgeGuide() {
-  if (job_) job_->cancel();
 }
 
 void EdgeGuide::watch(Watch what) {
@@ -111,8 +106,7 @@ void EdgeGuide::follow() {
 
 /// Each loop appears when it is done. @param wanted  instead of what the running job looks for
 void EdgeGuide::ask(const std::vector<Asked>& wanted) {
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   asked_.clear();
   if (wanted.empty()) return;
   for (const Asked& one : wanted) asked_[one.loop] = one.edits;
@@ -178,9 +172,6 @@ bool EdgeGuide::has_edits() const {
   return std::any_of(scans.begin(), scans.end(), [this](int scan) { return !document_.edge_edits(scan).empty(); });
 }
 
-bool EdgeGuide::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool EdgeGuide::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

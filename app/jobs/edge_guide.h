@@ -18,7 +18,6 @@ class EdgeGuide : public QObject {
 
  public:
   EdgeGuide(Document& document, const HoleSelection& selection, QObject* parent = nullptr);
-  ~EdgeGuide() override;
 
   struct Edge {
     enum class Kind {

@@ -58,12 +58,11 @@ void sew_on(TriangleSoup& soup, const SurfaceModel& model, const Patch& patch) {
   const auto first = static_cast<int>(soup.points.size());
   const auto point = [&](int v) {
     if (v < patch.free_count) return first + v;
-    return model.soup_vertex[static_cast<std::size_t>(patch.view_vertex[static_cast<std::size_t>(v)])];
+    return model.soup_vertex[patch.view_vertex[v]];
   };
-  for (int v = 0; v < patch.free_count; ++v)
-    soup.points.push_back(patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]));
+  for (int v = 0; v < patch.free_count; ++v) soup.points.push_back(patch.to_mesh(patch.positions[v]));
   for (int f = 0; f < patch.patch_triangles; ++f) {
-    const Triangle& t = patch.triangles[static_cast<std::size_t>(f)];
+    const Triangle& t = patch.triangles[f];
     soup.triangles.push_back({point(t[0]), point(t[1]), point(t[2])});
   }
 }

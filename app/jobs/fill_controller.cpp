@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/fill_controller.h"
 
-#include "analysis/curvature_field.h"
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/message_words.h"
@@ -18,12 +17,6 @@ FillController::FillController(Document& document, UndoHistory& undo, QObject* p
     : QObject(parent),
       document_(document),
       undo_(undo) {}
-
-FillController::~FillController() {
-  if (job_) job_->cancel();
-  if (preview_job_) preview_job_->cancel();
-  if (curvature_job_) curvature_job_->cancel();
-}
 
 JobPtr FillController::begin(Activity activity, const QString& stage) {
   drop_fill_preview();
@@ -204,7 +197,7 @@ void FillController::preview_fill(const std::set<int>& loops, const FillChoice& 
       job, [job, run = std::move(run), recorder] { return fill_patches(run, *recorder, *job); },
       [this, request, recorder](const FillOutcome& outcome) {
         preview_ = std::make_shared<FillPreview>(FillPreview{request.loops, request.choice, recorder->take(), outcome});
-        std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
+        std::vector<SurfaceShapePtr> ghosts;
         for (const auto& [where, run_there] : preview_->runs) ghosts.push_back(run_there.steps.back()->shape);
         Q_EMIT ghosts_changed(ghosts);
       },
@@ -212,8 +205,7 @@ void FillController::preview_fill(const std::set<int>& loops, const FillChoice& 
 }
 
 void FillController::drop_fill_preview() {
-  if (preview_job_) preview_job_->cancel();
-  preview_job_.reset();
+  drop(preview_job_);
   if (!std::exchange(preview_, nullptr)) return;
   Q_EMIT ghosts_changed({});
 }
@@ -250,8 +242,7 @@ void FillController::adopt(OpenPatch patch) {
       job,
       [patch, scan_context = context_of(patch.scan), origin = document_.origin()] {
         auto state = std::make_shared<PatchState>(*patch.state);
-        state->shape = std::make_shared<SurfaceShape>(
-            shape_of(state->patch, curvature_field(state->patch), origin, scan_context->colors()));
+        state->shape = shape_of(state->patch, origin, scan_context->colors());
         show_deviation(*state);
         return judged(std::move(state), &patch.timeline->front()->patch, *scan_context);
       },
@@ -331,11 +322,6 @@ void FillController::end_scrub() {
   push(std::move(pairs), tr("Go back on %1").arg(labels::holes(document_, loops)));
 }
 
-bool FillController::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  if (preview_job_) preview_job_->cancel();
-  cancel_curvature();
-  return tasks_.wait(at_most);
-}
+bool FillController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

@@ -81,7 +81,6 @@ class FillController : public QObject {
 
  public:
   FillController(Document& document, UndoHistory& undo, QObject* parent = nullptr);
-  ~FillController() override;
 
   Activity activity() const { return activity_; }
   bool busy() const { return activity_ != Activity::idle; }
@@ -149,9 +148,9 @@ class FillController : public QObject {
   void stage_changed(const QString& words);
   void progress_changed(int done, int total);  ///< total 0: not known
   void flow_ended(RunEnd end);
-  void preview_ready(std::shared_ptr<const SurfaceShape> shape);
+  void preview_ready(SurfaceShapePtr shape);
   void preview_dropped();
-  void ghosts_changed(std::vector<std::shared_ptr<const SurfaceShape>> ghosts);
+  void ghosts_changed(std::vector<SurfaceShapePtr> ghosts);
   void filled(const std::set<int>& loops);  ///< by initial patches, from which a flow may follow
   void failed(const QString& words);
   void notice(const QString& words);
@@ -198,7 +197,7 @@ class FillController : public QObject {
   void keep_unit(const std::vector<int>& gone, int come);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
-  void show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape);
+  void show_color(const OpenedScanPtr& scan, SurfaceShapePtr shape);
   void add_curvature(const OpenedScanPtr& scan, const JobPtr& job);
   void compute_next_curvature();
   void cancel_curvature();

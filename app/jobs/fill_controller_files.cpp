@@ -7,7 +7,6 @@
 #include "jobs/fill_controller.h"
 #include "jobs/state_making.h"
 
-#include "analysis/curvature_field.h"
 #include "core/error.h"
 
 #include <QDir>
@@ -89,7 +88,7 @@ int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {
   return index;
 }
 
-void FillController::show_color(const OpenedScanPtr& scan, std::shared_ptr<const SurfaceShape> shape) {
+void FillController::show_color(const OpenedScanPtr& scan, SurfaceShapePtr shape) {
   scan->shape = shape;  // undo may bring it back
   for (int index : document_.scans())
     if (document_.held_scan(index) == scan) document_.set_shape(index, shape);
@@ -120,7 +119,7 @@ void FillController::compute_next_curvature() {
   const JobPtr job = curvature_job_ = std::make_shared<Job>(this);
   tasks_.run(
       job, [scan, job] { return colored_shape(*scan, job->token()); },
-      [this, scan](const std::shared_ptr<const SurfaceShape>& shape) {
+      [this, scan](const SurfaceShapePtr& shape) {
         show_color(scan, shape);
         compute_next_curvature();
       },
@@ -191,10 +190,9 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
   auto state = std::make_shared<PatchState>(*saved.state);
   const auto vertices = static_cast<int>(scan.model->soup_vertex.size());
   for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
-    if (const int own = state->patch.view_vertex[static_cast<std::size_t>(v)]; own < 0 || own >= vertices)
+    if (const int own = state->patch.view_vertex[v]; own < 0 || own >= vertices)
       refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
-  state->shape =
-      std::make_shared<SurfaceShape>(shape_of(state->patch, curvature_field(state->patch), origin, scan.colors));
+  state->shape = shape_of(state->patch, origin, scan.colors);
   show_deviation(*state);
   state->boundary = boundary_knowledge(state->patch);
   patch.state = state;
@@ -240,7 +238,7 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
   for (const SessionScan& wanted : session.scans) restored.units.push_back(wanted.unit);
   for (const SessionPatch& saved : session.patches) {
     if (job->token().cancelled()) return {};
-    const OpenedScan& scan = *restored.scans[static_cast<std::size_t>(saved.scan)];
+    const OpenedScan& scan = *restored.scans[saved.scan];
     restored.patches.push_back(restored_patch(saved, scan, *origin, path));
   }
   return restored;
@@ -282,7 +280,7 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
     for (const Message& problem : scan->color_problems) Q_EMIT logged(labels::in_words(problem));
   }
   for (OpenPatch& patch : restored.patches) {
-    patch.scan = index[static_cast<std::size_t>(patch.scan)];
+    patch.scan = index[patch.scan];
     for (int& loop : patch.loops) loop += document_.first_loop_of(patch.scan);
     patch.id = document_.next_patch_id();
   }

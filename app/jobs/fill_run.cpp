@@ -26,7 +26,7 @@ std::vector<BoundaryLoop> with_neighbors(const FillTask& task, const std::map<in
     if (!wanted.contains(index)) all.push_back(loop);
   for (const std::vector<int>& group : group_loops(task.scan_context->model(), all))
     if (std::any_of(group.begin(), group.end(), [&](int k) { return k < first_filled; }))
-      for (int k : group) nearby.push_back(all[static_cast<std::size_t>(k)]);
+      for (int k : group) nearby.push_back(all[k]);
   std::sort(nearby.begin(), nearby.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
   return nearby;
 }

@@ -35,7 +35,7 @@ bool view_is_file(const SurfaceModel& model) {
 
 /// What is drawn until the boundaries are found: a small scan as it is, which becomes its shape; of a large one the reduced version
 /// alone, since the whole would take memory, and the graphics a processor, that the search for boundaries needs.
-std::shared_ptr<const SurfaceShape> first_picture(const TriangleSoup& soup, OpenedScan& scan) {
+SurfaceShapePtr first_picture(const TriangleSoup& soup, OpenedScan& scan) {
   auto whole = std::make_shared<SurfaceShape>(shape_of(soup, scan.origin));
   if (auto reduced = reduced_shape(*whole)) return reduced;
   return scan.shape = whole;
@@ -112,7 +112,7 @@ OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& o
   return scan;
 }
 
-std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel) {
+SurfaceShapePtr colored_shape(const OpenedScan& scan, const CancelToken& cancel) {
   CurvatureField field = curvature_field(scan.model->mesh);
   if (cancel.cancelled()) return nullptr;
   return std::make_shared<SurfaceShape>(with_reduced(with_curvature(*scan.shape, std::move(field))));

@@ -14,9 +14,9 @@ using OpenedScanPtr = std::shared_ptr<OpenedScan>;
 
 /// Called on the worker's thread, in this order; each may be empty.
 struct LoadStages {
-  std::function<void(std::shared_ptr<const SurfaceShape>)> picture;  ///< first plain picture, of a large one reduced
-  std::function<void(OpenedScanPtr)> opened;                         ///< model and loops, no curvature yet
-  std::function<void(QString)> stage;                                ///< what is being done, in words
+  std::function<void(SurfaceShapePtr)> picture;  ///< first plain picture, of a large one reduced
+  std::function<void(OpenedScanPtr)> opened;     ///< model and loops, no curvature yet
+  std::function<void(QString)> stage;            ///< what is being done, in words
 };
 
 /// @param path    empty: the embedded sample.
@@ -29,6 +29,6 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
 OpenedScanPtr made_scan(TriangleSoup surface, const QString& name, const Vec3& origin);
 
 /// The scan's shape with curvature. Null when cancelled.
-std::shared_ptr<const SurfaceShape> colored_shape(const OpenedScan& scan, const CancelToken& cancel);
+SurfaceShapePtr colored_shape(const OpenedScan& scan, const CancelToken& cancel);
 
 }  // namespace loopmend

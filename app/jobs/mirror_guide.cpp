@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/mirror_guide.h"
 
-#include "analysis/curvature_field.h"
 #include "document/targets.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
-
-#include <algorithm>
 
 namespace loopmend {
 namespace {
@@ -23,8 +20,7 @@ MirrorGuide::Fit fit_of(ScanContext& context, int loop, const BoundaryLoop& boun
   const PatchResult made =
       mirrored_patch({context.index(), *initial.patch, {boundary}, &planes}, EvolutionOptions{}, cancel);
   result.fit = made.mirror;
-  if (made.mirror.is_proposed() && is_filled(made.status))
-    result.ghost = std::make_shared<SurfaceShape>(shape_of(made.patch, curvature_field(made.patch), origin));
+  if (made.mirror.is_proposed() && is_filled(made.status)) result.ghost = shape_of(made.patch, origin);
   return result;
 }
 
@@ -38,10 +34,6 @@ MirrorGuide::MirrorGuide(Document& document, const HoleSelection& selection, Con
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
     connect(&document_, signal, this, &MirrorGuide::follow);
   connect(&selection_, &HoleSelection::selection_changed, this, &MirrorGuide::follow);
-}
-
-MirrorGuide::~MirrorGuide() {
-  if (job_) job_->cancel();
 }
 
 void MirrorGuide::watch(Watch what) {
@@ -71,8 +63,7 @@ void MirrorGuide::follow() {
 }
 
 void MirrorGuide::stop() {
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   has_failed_ = false;
 }
 
@@ -155,9 +146,6 @@ void MirrorGuide::use(Use use) {
   Q_EMIT changed();
 }
 
-bool MirrorGuide::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool MirrorGuide::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

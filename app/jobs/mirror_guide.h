@@ -22,13 +22,12 @@ class MirrorGuide : public QObject {
  public:
   using ContextOf = std::function<ScanContextPtr(int scan)>;
   MirrorGuide(Document& document, const HoleSelection& selection, ContextOf context_of, QObject* parent = nullptr);
-  ~MirrorGuide() override;
 
   /// The open holes that are selected, else the largest ones.
   struct Fit {
     int loop = 0;
     MirrorFit fit;
-    std::shared_ptr<const SurfaceShape> ghost;  ///< the patch that would be copied; null: it does not fit
+    SurfaceShapePtr ghost;  ///< the patch that would be copied; null: it does not fit
   };
 
   enum class Watch { nothing, scan };

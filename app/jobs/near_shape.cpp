@@ -3,8 +3,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-
 namespace loopmend {
 namespace {
 
@@ -13,13 +11,11 @@ constexpr double reach = 1.5;        ///< patch sizes around the patch's middle
 
 }  // namespace
 
-std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const SurfaceShape>& shape, const Patch& patch,
-                                               const Vec3& origin) {
+SurfaceShapePtr near_shape(const SurfaceShapePtr& shape, const Patch& patch, const Vec3& origin) {
   if (static_cast<int>(shape->triangles.size() / 3) <= small_enough || patch.free_count == 0) return shape;
   Eigen::AlignedBox3d box;
   for (int i = 0; i < patch.vertex_count(); ++i)
-    if (patch.ring[static_cast<std::size_t>(i)] <= 1)
-      box.extend(Vec3(patch.to_mesh(patch.positions[static_cast<std::size_t>(i)]) - origin));
+    if (patch.ring[i] <= 1) box.extend(Vec3(patch.to_mesh(patch.positions[i]) - origin));
   const Eigen::Vector3f middle = box.center().cast<float>();
   const auto too_far = static_cast<float>(reach * box.diagonal().norm());
   std::vector<char> left_out(shape->triangles.size() / 3, 0);
@@ -30,7 +26,7 @@ std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const Surfa
   return without_triangles(*shape, left_out);
 }
 
-std::shared_ptr<const SurfaceShape> without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out) {
+SurfaceShapePtr without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out) {
   std::vector<int> kept, number;
   for (std::size_t t = 0; t < shape.triangles.size() / 3; ++t)
     if (t >= left_out.size() || !left_out[t]) kept.push_back(static_cast<int>(t));

@@ -4,15 +4,12 @@
 
 #include "scene/surface_shape.h"
 
-#include <memory>
-
 namespace loopmend {
 
 /// The shape itself while it is small; else its triangles within twice the patch's size around it.
-std::shared_ptr<const SurfaceShape> near_shape(const std::shared_ptr<const SurfaceShape>& shape, const Patch& patch,
-                                               const Vec3& origin);
+SurfaceShapePtr near_shape(const SurfaceShapePtr& shape, const Patch& patch, const Vec3& origin);
 
 /// The shape without these of its triangles (numbers in the order of `shape.triangles`).
-std::shared_ptr<const SurfaceShape> without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out);
+SurfaceShapePtr without_triangles(const SurfaceShape& shape, const std::vector<char>& left_out);
 
 }  // namespace loopmend

@@ -10,10 +10,6 @@ PlacePart::PlacePart(Document& document, FillController& controller, QObject* pa
       document_(document),
       controller_(controller) {}
 
-PlacePart::~PlacePart() {
-  if (job_) job_->cancel();
-}
-
 void PlacePart::place(int scan, const Eigen::Affine3d& placement) {
   if (busy() || controller_.busy() || !document_.scan(scan)) return;
   job_ = std::make_shared<Job>(this);
@@ -36,9 +32,6 @@ void PlacePart::place(int scan, const Eigen::Affine3d& placement) {
       });
 }
 
-bool PlacePart::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool PlacePart::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

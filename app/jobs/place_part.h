@@ -13,7 +13,6 @@ class PlacePart : public QObject {
 
  public:
   PlacePart(Document& document, FillController& controller, QObject* parent = nullptr);
-  ~PlacePart() override;
 
   bool busy() const { return job_ != nullptr; }
   /// @param placement  in the scene's frame.

@@ -22,13 +22,8 @@ PrintCheck::PrintCheck(const Document& document, const FillController& controlle
   });
 }
 
-PrintCheck::~PrintCheck() {
-  if (job_) job_->cancel();
-}
-
 void PrintCheck::forget() {
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   leisure_.start();
   if (!std::exchange(result_, std::nullopt)) return;
   Q_EMIT changed();
@@ -59,8 +54,7 @@ void PrintCheck::start() {
 
 bool PrintCheck::shut_down(std::chrono::milliseconds at_most) {
   leisure_.stop();
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
+  return tasks_.stop(at_most);
 }
 
 }  // namespace loopmend

@@ -19,7 +19,6 @@ class PrintCheck : public QObject {
 
  public:
   PrintCheck(const Document& document, const FillController& controller, QObject* parent = nullptr);
-  ~PrintCheck() override;
 
   /// Nothing while it is looked for, or where the scene is too large to be looked at unasked.
   const std::optional<Watertightness>& result() const { return result_; }

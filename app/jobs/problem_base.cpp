@@ -12,7 +12,7 @@
 namespace loopmend {
 namespace {
 
-std::shared_ptr<const SurfaceShape> colored(const SurfaceModel& model, const Vec3& origin) {
+SurfaceShapePtr colored(const SurfaceModel& model, const Vec3& origin) {
   return std::make_shared<SurfaceShape>(with_curvature(shape_of(model.mesh, origin), curvature_field(model.mesh)));
 }
 
@@ -61,13 +61,12 @@ ProblemBase make_base(const BaseParts& parts) {
   return base;
 }
 
-std::shared_ptr<const SurfaceShape> shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles) {
+SurfaceShapePtr shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles) {
   if (soup_triangles.empty()) return base.shape;
   std::vector<char> own(base.model->soup.triangles.size(), 0);
-  for (int f : soup_triangles) own[static_cast<std::size_t>(f)] = 1;
+  for (int f : soup_triangles) own[f] = 1;
   std::vector<char> left_out(base.model->soup_face.size());
-  for (std::size_t f = 0; f < left_out.size(); ++f)
-    left_out[f] = own[static_cast<std::size_t>(base.model->soup_face[f])];
+  for (std::size_t f = 0; f < left_out.size(); ++f) left_out[f] = own[base.model->soup_face[f]];
   SurfaceShape whole = *base.shape;
   whole.triangles = triangles_of_view(base.model->mesh);  // those of a large shape are in another order
   return without_triangles(whole, left_out);
@@ -75,13 +74,12 @@ std::shared_ptr<const SurfaceShape> shape_without(const ProblemBase& base, const
 
 BoundaryLoop loop_in_base(const ProblemBase& base, std::size_t part, const OpenedScan& scan, const BoundaryLoop& loop) {
   std::vector<int> wanted;
-  for (int v : loop.vertices)
-    wanted.push_back(scan.model->soup_vertex[static_cast<std::size_t>(v)] + static_cast<int>(base.first_point[part]));
+  for (int v : loop.vertices) wanted.push_back(scan.model->soup_vertex[v] + static_cast<int>(base.first_point[part]));
   std::sort(wanted.begin(), wanted.end());
   for (const BoundaryLoop& candidate : find_boundary_loops(*base.model)) {
     if (candidate.vertices.size() != wanted.size()) continue;
     std::vector<int> points;
-    for (int v : candidate.vertices) points.push_back(base.model->soup_vertex[static_cast<std::size_t>(v)]);
+    for (int v : candidate.vertices) points.push_back(base.model->soup_vertex[v]);
     std::sort(points.begin(), points.end());
     if (points == wanted) return candidate;
   }

@@ -12,7 +12,7 @@ struct BaseParts {
   std::vector<int> scans;
   struct Part {
     std::shared_ptr<const OpenedScan> scan;
-    std::shared_ptr<const SurfaceShape> shape;  ///< the scan's; the window may give that another one meanwhile
+    SurfaceShapePtr shape;  ///< the scan's; the window may give that another one meanwhile
     std::vector<PatchStatePtr> patches;
   };
   std::vector<Part> parts;
@@ -25,7 +25,7 @@ BaseParts parts_of(const Document& document, const std::vector<int>& scans);
 ProblemBase make_base(const BaseParts& parts);
 
 /// What is drawn of the base without these of its soup's triangles.
-std::shared_ptr<const SurfaceShape> shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles);
+SurfaceShapePtr shape_without(const ProblemBase& base, const std::vector<int>& soup_triangles);
 
 /// The loop of the base's model that runs through this loop of a scan, by its points.
 /// @param part  which of the base's scans. @throws InvalidArgument where there is none: the loop has been filled.

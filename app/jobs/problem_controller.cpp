@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/problem_controller.h"
 
-#include "analysis/curvature_field.h"
 #include "document/labels.h"
 #include "document/message_words.h"
 #include "jobs/problem_base.h"
@@ -11,10 +10,6 @@
 
 namespace loopmend {
 namespace {
-
-std::shared_ptr<const SurfaceShape> shape_of_patch(const Patch& patch, const Vec3& origin) {
-  return std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin));
-}
 
 std::vector<PatchStatePtr> patches_of(const Document& document, const std::vector<int>& scans) {
   std::vector<PatchStatePtr> states;
@@ -28,7 +23,7 @@ std::vector<PatchStatePtr> patches_of(const Document& document, const std::vecto
 /// The newest state of a flow at work; the window takes it when it has time.
 struct ProblemController::Post {
   std::mutex mutex;
-  std::shared_ptr<const SurfaceShape> newest;
+  SurfaceShapePtr newest;
   int step = 0;
   double energy = 0;
   int free_vertices = 0;
@@ -44,10 +39,6 @@ ProblemController::ProblemController(Document& document, FillController& control
   connect(&document_, &Document::opened, this, &ProblemController::discard);
 }
 
-ProblemController::~ProblemController() {
-  if (job_) job_->cancel();
-}
-
 void ProblemController::go_to(Stage stage, const QString& words) {
   stage_ = stage;
   words_ = words;
@@ -55,8 +46,7 @@ void ProblemController::go_to(Stage stage, const QString& words) {
 }
 
 void ProblemController::forget() {
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   base_.reset();
   posed_.reset();
   start_shape_.reset();
@@ -106,7 +96,7 @@ void ProblemController::pose(ProblemRequest request) {
     if (job->token().cancelled()) return;
     const auto posed = std::make_shared<const PosedProblem>(request.pose(*base, job->token()));
     if (job->token().cancelled()) return;
-    const auto start = shape_of_patch(posed->problem.start, parts.origin);
+    const auto start = shape_of(posed->problem.start, parts.origin);
     const auto backdrop =
         request.around == ProblemRequest::Around::shown ? shape_without(*base, posed->replaced) : nullptr;
     job->post([this, base, posed, start, backdrop] { on_posed(base, posed, start, backdrop); });
@@ -118,8 +108,7 @@ void ProblemController::pose(ProblemRequest request) {
 }
 
 void ProblemController::on_posed(std::shared_ptr<const ProblemBase> base, std::shared_ptr<const PosedProblem> posed,
-                                 std::shared_ptr<const SurfaceShape> start,
-                                 std::shared_ptr<const SurfaceShape> backdrop) {
+                                 SurfaceShapePtr start, SurfaceShapePtr backdrop) {
   job_.reset();
   base_ = std::move(base);
   posed_ = std::move(posed);
@@ -152,7 +141,7 @@ void ProblemController::evolve(const EvolutionOptions& options) {
         const std::lock_guard lock(post->mutex);
         if (post->newest || job->token().cancelled()) return;  // the last one has not been drawn yet
       }
-      const auto shape = shape_of_patch(evolution.patch(), origin);
+      const auto shape = shape_of(evolution.patch(), origin);
       {
         const std::lock_guard lock(post->mutex);
         post->newest = shape;
@@ -166,7 +155,7 @@ void ProblemController::evolve(const EvolutionOptions& options) {
     if (job->token().cancelled()) return;
     OpenedScanPtr made;
     if (solution->refusal.empty()) made = made_scan(solution->surface, name, origin);
-    const auto shape = shape_of_patch(solution->outcome.patch, origin);
+    const auto shape = shape_of(solution->outcome.patch, origin);
     job->post([this, solution, made, shape] { on_solved(solution, made, shape); });
   };
   tasks_.start(job_, work, [this](const QString& words) { fail(words, Stage::posed); });
@@ -188,7 +177,7 @@ void ProblemController::show_state(const std::shared_ptr<Post>& post) {
 }
 
 void ProblemController::on_solved(std::shared_ptr<const Solution> solution, const OpenedScanPtr& made,
-                                  std::shared_ptr<const SurfaceShape> shape) {
+                                  SurfaceShapePtr shape) {
   job_.reset();
   if (!made) {
     picture_.patch = start_shape_;
@@ -214,8 +203,7 @@ void ProblemController::on_solved(std::shared_ptr<const Solution> solution, cons
 
 void ProblemController::cancel() {
   if (!busy()) return;
-  job_->cancel();
-  job_.reset();
+  drop(job_);
   if (!posed_) {
     discard();
     return;
@@ -248,7 +236,7 @@ QString ProblemController::adopt(const ComparedRun& flow_run) {
   struct Taken {
     std::shared_ptr<const Solution> solution;
     OpenedScanPtr made;
-    std::shared_ptr<const SurfaceShape> shape;
+    SurfaceShapePtr shape;
   };
   tasks_.run(
       job_,
@@ -267,9 +255,6 @@ QString ProblemController::adopt(const ComparedRun& flow_run) {
   return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(flow_run.flow));
 }
 
-bool ProblemController::shut_down(std::chrono::milliseconds at_most) {
-  if (job_) job_->cancel();
-  return tasks_.wait(at_most);
-}
+bool ProblemController::shut_down(std::chrono::milliseconds at_most) { return tasks_.stop(at_most); }
 
 }  // namespace loopmend

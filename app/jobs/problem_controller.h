@@ -17,9 +17,9 @@ namespace loopmend {
 /// A scan as it would be exported: with its patches.
 struct ProblemBase {
   std::vector<int> scans;
-  ModelPtr model;                             ///< all of them, in their order
-  std::vector<std::size_t> first_point;       ///< #scans + 1, into the model's points
-  std::shared_ptr<const SurfaceShape> shape;  ///< of the model's view
+  ModelPtr model;                        ///< all of them, in their order
+  std::vector<std::size_t> first_point;  ///< #scans + 1, into the model's points
+  SurfaceShapePtr shape;                 ///< of the model's view
 };
 
 struct ProblemRequest {
@@ -37,7 +37,6 @@ class ProblemController : public QObject {
 
  public:
   ProblemController(Document& document, FillController& controller, QObject* parent = nullptr);
-  ~ProblemController() override;
 
   enum class Stage { none, posing, posed, evolving, solved };
   Stage stage() const { return stage_; }
@@ -78,10 +77,9 @@ class ProblemController : public QObject {
   void go_to(Stage stage, const QString& words);
   void fail(const QString& words, Stage back_to);
   void on_posed(std::shared_ptr<const ProblemBase> base, std::shared_ptr<const PosedProblem> posed,
-                std::shared_ptr<const SurfaceShape> start, std::shared_ptr<const SurfaceShape> backdrop);
+                SurfaceShapePtr start, SurfaceShapePtr backdrop);
   void show_state(const std::shared_ptr<Post>& post);
-  void on_solved(std::shared_ptr<const Solution> solution, const OpenedScanPtr& made,
-                 std::shared_ptr<const SurfaceShape> shape);
+  void on_solved(std::shared_ptr<const Solution> solution, const OpenedScanPtr& made, SurfaceShapePtr shape);
   void watch_scans();
 
   Document& document_;
@@ -94,7 +92,7 @@ class ProblemController : public QObject {
   ProblemPicture picture_;
   std::shared_ptr<const ProblemBase> base_;
   std::shared_ptr<const PosedProblem> posed_;
-  std::shared_ptr<const SurfaceShape> start_shape_;
+  SurfaceShapePtr start_shape_;
   std::shared_ptr<const Solution> solution_;
   OpenedScanPtr made_;
   JobPtr job_;

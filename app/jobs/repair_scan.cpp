@@ -158,9 +158,8 @@ RepairedScan bridged(const ScanRepairTask& task) {
       words, NewPoints{}};
   for (std::size_t l = 0; fills && l < result.made->loops.size(); ++l) {
     const std::vector<int>& vertices = result.made->loops[l].vertices;
-    if (std::any_of(vertices.begin(), vertices.end(), [&](int v) {
-          return result.made->model->soup_vertex[static_cast<std::size_t>(v)] == task.part_to_fill;
-        }))
+    if (std::any_of(vertices.begin(), vertices.end(),
+                    [&](int v) { return result.made->model->soup_vertex[v] == task.part_to_fill; }))
       result.to_fill.push_back(static_cast<int>(l));
   }
   return result;
@@ -171,9 +170,8 @@ bool is_touched(const Patch& patch, const OpenedScan& scan, int first_point, con
   for (int i = 0; i < patch.vertex_count(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (patch.ring[at] > 2) continue;
-    const int point = i < patch.free_count ? first_point + i
-                                           : scan.model->soup_vertex[static_cast<std::size_t>(patch.view_vertex[at])];
-    if (erased[static_cast<std::size_t>(point)]) return true;
+    const int point = i < patch.free_count ? first_point + i : scan.model->soup_vertex[patch.view_vertex[at]];
+    if (erased[point]) return true;
   }
   return false;
 }
@@ -183,7 +181,7 @@ std::vector<int> points_to_erase(const ScanRepairTask& task) {
   if (!task.erased.empty()) return task.erased;
   std::set<int> points;
   for (const BoundaryLoop& loop : task.loops)
-    for (int v : loop.vertices) points.insert(task.opened->model->soup_vertex[static_cast<std::size_t>(v)]);
+    for (int v : loop.vertices) points.insert(task.opened->model->soup_vertex[v]);
   return {points.begin(), points.end()};
 }
 
@@ -196,7 +194,7 @@ std::optional<RepairedScan> erased(const ScanRepairTask& task) {
   std::size_t all = static_cast<std::size_t>(own);
   for (const OpenPatch& open : task.patches) all += static_cast<std::size_t>(open.state->patch.free_count);
   std::vector<char> chosen(std::max(all, static_cast<std::size_t>(wanted.back()) + 1), 0);
-  for (int p : wanted) chosen[static_cast<std::size_t>(p)] = 1;
+  for (int p : wanted) chosen[p] = 1;
   std::vector<int> points;
   std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(points), [own](int p) { return p < own; });
   SurfaceModel base = *old.model;
@@ -207,7 +205,7 @@ std::optional<RepairedScan> erased(const ScanRepairTask& task) {
       const int first_joined = static_cast<int>(base.soup.points.size());
       append_colored_patch(base, patch_geometry(patch));
       for (int i = 0; i < patch.free_count; ++i)
-        if (chosen[static_cast<std::size_t>(first_point + i)]) points.push_back(first_joined + i);
+        if (chosen[first_point + i]) points.push_back(first_joined + i);
       ++joined;
     }
     first_point += patch.free_count;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/state_making.h"
 
-#include "analysis/curvature_field.h"
 #include "pipeline/candidates.h"
 
 namespace loopmend {
@@ -33,7 +32,7 @@ Message message_of(const PatchResult& result) {
 std::shared_ptr<PatchState> first_state(const Patch& patch, const PatchRecipe& recipe, const Vec3& origin,
                                         const std::shared_ptr<const std::vector<Color>>& scan_colors) {
   auto state = std::make_shared<PatchState>();
-  state->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, scan_colors));
+  state->shape = shape_of(patch, origin, scan_colors);
   state->seams = seam_reports(patch);
   state->seams_before = state->seams;
   state->status = PatchStatus::filled;
@@ -49,8 +48,7 @@ std::shared_ptr<PatchState> with_result(const PatchState& from, const PatchResul
   static_cast<PatchResult&>(*state) = result;
   state->history.clear();
   state->message = message_of(result);
-  state->shape = std::make_shared<SurfaceShape>(
-      shape_of(result.patch, curvature_field(result.patch), origin, from.shape->scan_colors));
+  state->shape = shape_of(result.patch, origin, from.shape->scan_colors);
   show_deviation(*state);
   const bool same_holes = result.patch.loop_numbers == from.patch.loop_numbers;
   state->boundary = same_holes ? from.boundary : boundary_knowledge(result.patch);
@@ -67,7 +65,7 @@ std::shared_ptr<PatchState> with_result(const PatchState& from, const PatchResul
 std::shared_ptr<PatchState> with_patch(const PatchState& old, const Patch& patch, const Vec3& origin) {
   auto next = std::make_shared<PatchState>(old);
   next->patch = patch;
-  next->shape = std::make_shared<SurfaceShape>(shape_of(patch, curvature_field(patch), origin, old.shape->scan_colors));
+  next->shape = shape_of(patch, origin, old.shape->scan_colors);
   next->seams = seam_reports(patch);
   next->verdicts.clear();
   next->deviation = {};

@@ -155,7 +155,7 @@ StepResult step_patches(const StepTask& task, RunRecorder& recorder, const Job& 
   };
   while (moving() && !stopped()) {
     parallel_for(0, static_cast<int>(steppers.size()), 1, [&](int k) {
-      Stepper& stepper = steppers[static_cast<std::size_t>(k)].second;
+      Stepper& stepper = steppers[k].second;
       if (!stopped() && !stepper.at_rest()) stepper.step(job.token());
     });
     if (task.pace == Pace::time_step) break;

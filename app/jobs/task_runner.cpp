@@ -9,7 +9,6 @@
 #include <QCoreApplication>
 #include <QEvent>
 
-#include <algorithm>
 #include <exception>
 #include <system_error>
 
@@ -57,6 +56,7 @@ void Job::linger(std::chrono::milliseconds time) const {
 }
 
 TaskRunner::~TaskRunner() {
+  for (Worker& worker : workers_) worker.job->cancel();
   for (Worker& worker : workers_) worker.thread.join();
 }
 
@@ -74,7 +74,7 @@ void TaskRunner::start(const JobPtr& job, std::function<void()> work, Failed fai
     done->store(true);
   };
   try {
-    workers_.push_back({std::thread(whole), done});
+    workers_.push_back({std::thread(whole), job, done});
   } catch (const std::system_error&) {
     job->post([failed = std::move(failed)] {
       failed(QCoreApplication::translate(
@@ -92,6 +92,11 @@ bool TaskRunner::wait(std::chrono::milliseconds at_most) {
     if (std::chrono::steady_clock::now() >= end) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+}
+
+bool TaskRunner::stop(std::chrono::milliseconds at_most) {
+  for (Worker& worker : workers_) worker.job->cancel();
+  return wait(at_most);
 }
 
 void TaskRunner::reap() {

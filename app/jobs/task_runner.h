@@ -17,6 +17,7 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace loopmend {
 
@@ -65,6 +66,11 @@ class Job {
 };
 using JobPtr = std::shared_ptr<Job>;
 
+/// Gives the job up, where there is one, and forgets it.
+inline void drop(JobPtr& job) {
+  if (job) std::exchange(job, nullptr)->cancel();
+}
+
 /// How far workers, and the threads that they start, step back behind the window's thread when both want the processor.
 enum class Yielding {
   mostly,     ///< the window is smooth, and the work goes on beside it
@@ -90,6 +96,7 @@ class WriteTurns {
 class TaskRunner {
  public:
   explicit TaskRunner(Yielding yielding = Yielding::mostly) : yielding_(yielding) {}
+  /// Gives every job up, and waits for all of them.
   ~TaskRunner();
   TaskRunner(const TaskRunner&) = delete;
   TaskRunner& operator=(const TaskRunner&) = delete;
@@ -111,10 +118,13 @@ class TaskRunner {
   }
   /// @returns whether every job has ended within the time.
   bool wait(std::chrono::milliseconds at_most);
+  /// The same, after every job was given up.
+  bool stop(std::chrono::milliseconds at_most);
 
  private:
   struct Worker {
     std::thread thread;
+    JobPtr job;
     std::shared_ptr<std::atomic<bool>> done;
   };
   void reap();

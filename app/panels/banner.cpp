@@ -6,7 +6,6 @@
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QTextBoundaryFinder>
@@ -47,9 +46,8 @@ Banner::Banner(QWidget* parent)
   words_->setWordWrap(true);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setTextFormat(Qt::PlainText);
-  close_->setObjectName(QStringLiteral("bannerClose"));
   close_->setAutoRaise(true);
-  explain(close_, tr("Close"), tr("Close this message (Esc)"));
+  explain(close_, "bannerClose", tr("Close"), tr("Close this message (Esc)"));
   auto* answers = new QBoxLayout(QBoxLayout::LeftToRight, answer_row_);
   answers->setContentsMargins(0, 0, 0, 0);
   answers->addStretch(1);

@@ -72,10 +72,9 @@ void CandidatesPanel::build() {
   head->addWidget(compute_);
   layout->addLayout(head);
   bar_ = new QProgressBar;
-  bar_->setObjectName(QStringLiteral("candidatesProgress"));
   bar_->setTextVisible(false);
   bar_->setMaximumHeight(8);
-  explain(bar_, tr("Progress"), tr("How many of the other patches are ready"));
+  explain(bar_, "candidatesProgress", tr("Progress"), tr("How many of the other patches are ready"));
   QSizePolicy keep = bar_->sizePolicy();
   keep.setRetainSizeWhenHidden(true);
   bar_->setSizePolicy(keep);
@@ -83,8 +82,7 @@ void CandidatesPanel::build() {
   note_ = make_note("candidatesNote");
   layout->addWidget(note_);
   auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = make_layout<QVBoxLayout>(content);
   grid_ = new QGridLayout;
   grid_->setSpacing(6);
   for (int k = 0; k < columns; ++k) grid_->setColumnStretch(k, 1);

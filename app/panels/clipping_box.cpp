@@ -14,23 +14,20 @@ ClippingBox::ClippingBox(QWidget* parent)
     : QGroupBox(tr("Clipping plane"), parent),
       across_(new QComboBox),
       place_(new QSlider(Qt::Horizontal)),
-      near_(new QCheckBox(tr("Show the other side"))) {
+      near_(make_option<QCheckBox>("clipNear", tr("Show the other side"),
+                                   tr("Draw what lies before the plane in place of what lies behind it"))) {
   using Across = Clipping::Across;
-  across_->setObjectName(QStringLiteral("clipAcross"));
   for (const auto& [text, across] : {std::pair{tr("Off"), Across::nothing},
                                      {tr("Across the line of sight"), Across::line_of_sight},
                                      {tr("Across x"), Across::x},
                                      {tr("Across y"), Across::y},
                                      {tr("Across z"), Across::z}})
     across_->addItem(text, static_cast<int>(across));
-  explain(across_, tr("Clipping plane"),
+  explain(across_, "clipAcross", tr("Clipping plane"),
           tr("Cut the surfaces open, to see them from inside (X). Nothing is removed from the scan"));
-  place_->setObjectName(QStringLiteral("clipPlace"));
   place_->setRange(0, 200);
   place_->setValue(100);
-  explain(place_, tr("Place of the plane"), tr("How far into the scene the plane lies"));
-  near_->setObjectName(QStringLiteral("clipNear"));
-  explain(near_, tr("Show the other side"), tr("Draw what lies before the plane in place of what lies behind it"));
+  explain(place_, "clipPlace", tr("Place of the plane"), tr("How far into the scene the plane lies"));
   auto* layout = new QVBoxLayout(this);
   for (QWidget* widget : {static_cast<QWidget*>(across_), static_cast<QWidget*>(place_), static_cast<QWidget*>(near_)})
     layout->addWidget(widget);

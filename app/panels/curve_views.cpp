@@ -4,7 +4,6 @@
 #include "analysis/section_profile.h"
 #include "document/labels.h"
 #include "document/run_curves.h"
-#include "document/timeline.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
 
@@ -14,7 +13,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -46,8 +44,7 @@ EnergyView::EnergyView(QWidget* parent)
   plot_->add_graph(Plot::Side::right, tr("Residual (right)"), Plot::Line::dotted, orange);
   plot_->add_graph(Plot::Side::left, QString(), Plot::Line::dotted, blue);
   plot_->add_graph(Plot::Side::left, QString(), Plot::Line::solid, grey);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(plot_);
   show_run(nullptr);
 }
@@ -90,9 +87,8 @@ SectionView::SectionView(QWidget* parent)
   plot_->add_graph(Plot::Side::left, tr("\u00b1\u03c3"), Plot::Line::solid, grey);
   plot_->add_graph(Plot::Side::left, QString(), Plot::Line::solid, grey);
   plot_->make_band(band_low, band_high);
-  angle_->setObjectName(QStringLiteral("sectionAngle"));
   angle_->setRange(0, 179);
-  explain(angle_, tr("Direction of the section"),
+  explain(angle_, "sectionAngle", tr("Direction of the section"),
           tr("Turns the section about the hole's axis; 0\u00b0 runs along the hole's longest direction"));
   angle_value_->setAlignment(Qt::AlignCenter);
   angle_value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("179\u00b0 ")));
@@ -100,8 +96,7 @@ SectionView::SectionView(QWidget* parent)
   auto* turn = new QVBoxLayout;
   turn->addWidget(angle_, 1, Qt::AlignHCenter);
   turn->addWidget(angle_value_);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QHBoxLayout>(this);
   layout->addWidget(plot_, 1);
   layout->addLayout(turn);
   update_plot();

@@ -57,9 +57,8 @@ void DecisionBox::build() {
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(6);
   timeline_ = new QSlider(Qt::Horizontal);
-  timeline_->setObjectName(QStringLiteral("timeline"));
   timeline_->setPageStep(1);
-  explain(timeline_, tr("Timeline"),
+  explain(timeline_, "timeline", tr("Timeline"),
           tr("Go back to any recorded state, from the initial patch on the left to the latest"));
   place_ = make_note("timelinePlace");
   place_->keep_room_for({tr("Recorded states appear here.")});

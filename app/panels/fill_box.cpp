@@ -56,24 +56,22 @@ void FillBox::build() {
   estimate_ = make_note("fillEstimate");
   estimate_->keep_room_for({QStringLiteral("1\n2")});
   density_ = new QDoubleSpinBox;
-  density_->setObjectName(QStringLiteral("density"));
   density_->setRange(0.25, 4);
   density_->setSingleStep(0.25);
   density_->setDecimals(2);
   density_->setValue(1);
   density_->setPrefix(QStringLiteral("\u00d7 "));
   density_->setKeyboardTracking(false);
-  explain(density_, tr("Density"), tr("Density of the patch relative to the scan around it; 2 halves the edge length"));
+  explain(density_, "density", tr("Density"),
+          tr("Density of the patch relative to the scan around it; 2 halves the edge length"));
   auto* density_label = new QLabel(tr("Density"));
   density_label->setBuddy(density_);
-  preview_ = new QCheckBox(tr("Preview"));
-  preview_->setObjectName(QStringLiteral("preview"));
-  explain(preview_, tr("Preview"), tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
-  islands_ = new QCheckBox(tr("Join islands"));
-  islands_->setObjectName(QStringLiteral("islands"));
+  preview_ = make_option<QCheckBox>("preview", tr("Preview"),
+                                    tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
+  islands_ = make_option<QCheckBox>(
+      "islands", tr("Join islands"),
+      tr("Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them"));
   islands_->setChecked(true);
-  explain(islands_, tr("Join islands"),
-          tr("Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them"));
   trim_ = make_button(
       "trim", tr("Trim"),
       tr("Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to "
@@ -105,8 +103,7 @@ void FillBox::build() {
   for (QPushButton* button : {trim_, stitch_, repair_}) repairs->addWidget(button);
   grid->addLayout(repairs, 4, 0, 1, 3);
   auto* more = new QWidget;
-  auto* rest = new QGridLayout(more);
-  rest->setContentsMargins(0, 0, 0, 0);
+  auto* rest = make_layout<QGridLayout>(more);
   rest->addWidget(density_label, 0, 0);
   rest->addWidget(density_, 0, 1);
   rest->addWidget(preview_, 0, 2);

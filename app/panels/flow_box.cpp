@@ -56,22 +56,19 @@ void FlowBox::build() {
   boundary_label->setBuddy(boundary_);
   auto* continuity_label = new QLabel(tr("Continuity"));
   continuity_label->setBuddy(continuity_);
-  relief_ = new QCheckBox(tr("Continue relief"));
-  relief_->setObjectName(QStringLiteral("relief"));
-  explain(relief_, tr("Continue relief"),
-          tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
-             "continues the smooth surface under the scan."));
-  edges_ = new QCheckBox(tr("Sharp edges"));
-  edges_->setObjectName(QStringLiteral("edges"));
+  relief_ = make_option<QCheckBox>(
+      "relief", tr("Continue relief"),
+      tr("When the patch is done, it gets random relief as strong as that of the scan around the hole. Off: it "
+         "continues the smooth surface under the scan."));
+  edges_ = make_option<QCheckBox>(
+      "edges", tr("Sharp edges"),
+      tr("Sharp edges that end at the hole run on across it, where both sides say how. Off: one smooth patch."));
   edges_->setChecked(true);
-  explain(edges_, tr("Sharp edges"),
-          tr("Sharp edges that end at the hole run on across it, where both sides say how. Off: one smooth patch."));
   sigma_ = new QSlider(Qt::Horizontal);
-  sigma_->setObjectName(QStringLiteral("sigma"));
   sigma_->setRange(sigma_low, sigma_high);
   sigma_->setValue(sigma_start);
   sigma_->setPageStep(ticks_per_decade);
-  explain(sigma_, tr("Time step"),
+  explain(sigma_, "sigma", tr("Time step"),
           tr("Time step \u03c3 of Step, without a unit: 1 is one decay time of the slowest wave on this patch"));
   sigma_value_ = new QLabel;
   sigma_value_->setObjectName(QStringLiteral("sigmaValue"));
@@ -89,8 +86,7 @@ void FlowBox::build() {
   grid->addWidget(run_, 2, 0);
   grid->addWidget(compare_, 2, 1);
   auto* more = new QWidget;
-  auto* rest = new QGridLayout(more);
-  rest->setContentsMargins(0, 0, 0, 0);
+  auto* rest = make_layout<QGridLayout>(more);
   rest->addWidget(help_, 0, 0, 1, 2);
   rest->addWidget(boundary_label, 1, 0);
   rest->addWidget(boundary_, 1, 1);

@@ -22,7 +22,6 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QTableView>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -96,12 +95,11 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
 
 QWidget* HolesPanel::build_filter() {
   words_ = new QLineEdit;
-  words_->setObjectName(QStringLiteral("holesFilter"));
   words_->setPlaceholderText(tr("Filter: number, kind, state"));
   words_->setClearButtonEnabled(true);
-  explain(words_, tr("Filter"), tr("Show only the loops with these words: a number, a kind, a state, a file (Ctrl+L)"));
+  explain(words_, "holesFilter", tr("Filter"),
+          tr("Show only the loops with these words: a number, a kind, a state, a file (Ctrl+L)"));
   group_ = new QComboBox;
-  group_->setObjectName(QStringLiteral("holesGroup"));
   for (const auto& [text, group] : {std::pair{tr("All loops"), HoleGroup::all},
                                     {tr("Open loops"), HoleGroup::to_do},
                                     {tr("Filled"), HoleGroup::filled},
@@ -109,7 +107,7 @@ QWidget* HolesPanel::build_filter() {
                                     {tr("To look at"), HoleGroup::fault},
                                     {tr("Left out"), HoleGroup::left_out}})
     group_->addItem(text, static_cast<int>(group));
-  explain(group_, tr("Group"), tr("Show only the loops of one group"));
+  explain(group_, "holesGroup", tr("Group"), tr("Show only the loops of one group"));
   // Narrowing the table must not change what is selected: hidden rows stay selected.
   const auto narrow = [this](const auto& act) {
     const QScopedValueRollback guard(syncing_, true);
@@ -126,8 +124,7 @@ QWidget* HolesPanel::build_filter() {
     update_summary();
   });
   auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QHBoxLayout>(row);
   layout->addWidget(words_, 1);
   layout->addWidget(group_);
   return row;
@@ -140,8 +137,7 @@ void HolesPanel::focus_filter() {
 
 void HolesPanel::build_table() {
   sorted_->setSourceModel(model_);
-  table_->setObjectName(QStringLiteral("holesTable"));
-  explain(table_, tr("Boundary loops"), tr("Every boundary loop; double click or Return flies there"));
+  explain(table_, "holesTable", tr("Boundary loops"), tr("Every boundary loop; double click or Return flies there"));
   table_->setToolTip({});  // the cells have their own
   table_->setModel(sorted_);
   table_->setItemDelegate(new HoleDelegate(document_, selection_, table_));

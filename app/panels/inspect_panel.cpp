@@ -76,8 +76,7 @@ InspectPanel::InspectPanel(const Document& document, const HoleSelection& select
   split->setStretchFactor(0, 3);
   split->setStretchFactor(1, 2);
   split->setSizes({630, 450});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(split);
   soon_.setSingleShot(true);
   soon_.setInterval(refresh_ms);
@@ -92,7 +91,6 @@ InspectPanel::InspectPanel(const Document& document, const HoleSelection& select
 
 QWidget* InspectPanel::build_seam() {
   seam_ = new QTableWidget(0, column_count);
-  seam_->setObjectName(QStringLiteral("seamTable"));
   seam_->setHorizontalHeaderLabels(
       {tr("Hole"), tr("Angle rms"), tr("Angle max"), tr("H jump rms"), tr("H jump max"), tr("H jump \u00b7 size")});
   const char* const help[] = {QT_TR_NOOP("The hole's number"),
@@ -105,7 +103,7 @@ QWidget* InspectPanel::build_seam() {
     seam_->horizontalHeaderItem(c)->setToolTip(tr(help[c]));
     seam_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignVCenter | (c == hole ? Qt::AlignLeft : Qt::AlignRight));
   }
-  explain(seam_, tr("Seams"), tr("How each patch meets the scan, before the flow and now"));
+  explain(seam_, "seamTable", tr("Seams"), tr("How each patch meets the scan, before the flow and now"));
   seam_->setToolTip({});
   seam_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   seam_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -122,8 +120,7 @@ QWidget* InspectPanel::build_seam() {
   sentence_->setAlignment(Qt::AlignTop);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(content);
   layout->addWidget(sentence_);
   layout->addWidget(seam_, 1);
   auto* copy = make_button("copySeam", tr("Copy"), tr("Copy the table as tab-separated text"));
@@ -162,7 +159,6 @@ QWidget* InspectPanel::build_curves() {
   energy_ = new EnergyView;
   section_ = new SectionView;
   tabs_ = new QTabWidget;
-  tabs_->setObjectName(QStringLiteral("inspectTabs"));
   tabs_->setDocumentMode(true);
   tabs_->addTab(energy_, tr("Energy"));
   tabs_->addTab(section_, tr("Section"));
@@ -170,23 +166,21 @@ QWidget* InspectPanel::build_curves() {
   tabs_->setTabToolTip(0, tr("Energy and residual against the step"));
   tabs_->setTabToolTip(1, tr("Mean curvature along a section across the seam"));
   tabs_->setTabToolTip(2, tr("What has happened so far"));
-  explain(tabs_, tr("Energy, section, log"), {});
+  explain(tabs_, "inspectTabs", tr("Energy, section, log"), {});
   curve_hole_ = new QLabel;
-  curve_hole_->setObjectName(QStringLiteral("curveHole"));
   curve_hole_->setContentsMargins(0, 0, 8, 0);
-  explain(curve_hole_, tr("Whose curves"), tr("The hole whose energy and section are drawn"));
+  explain(curve_hole_, "curveHole", tr("Whose curves"), tr("The hole whose energy and section are drawn"));
   tabs_->setCornerWidget(curve_hole_);
   return tabs_;
 }
 
 QWidget* InspectPanel::build_log() {
   log_ = new QPlainTextEdit;
-  log_->setObjectName(QStringLiteral("log"));
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(5000);
   log_->setPlaceholderText(tr("What happens is written down here."));
   log_->setFrameShape(QFrame::NoFrame);
-  explain(log_, tr("Log"), tr("What has happened so far"));
+  explain(log_, "log", tr("Log"), tr("What has happened so far"));
   log_->setToolTip({});
   auto* copy = make_button("copyLog", tr("Copy log"), tr("Copy the whole log"));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(log_->toPlainText()); });
@@ -216,13 +210,10 @@ void InspectPanel::update_curves(int loop) {
   const OpenPatch* patch = loop == no_loop ? nullptr : document_.patch_of(loop);
   const OpenPatch* run = document_.patch(run_);
   const OpenPatch* followed = run && patch ? run : patch;
-  int place = 0;
-  if (followed && followed == patch)
-    place = static_cast<int>(std::find(patch->loops.begin(), patch->loops.end(), loop) - patch->loops.begin());
+  const int place = followed && followed == patch ? static_cast<int>(patch->place_of(loop)) : 0;
   energy_->show_run(followed);
   section_->show_patch(followed, place);
-  const std::set<int> holes =
-      followed ? std::set<int>(followed->loops.begin(), followed->loops.end()) : std::set<int>();
+  const std::set<int> holes = followed ? loops_of(*followed) : std::set<int>();
   curve_hole_->setText(holes.empty() ? QString() : labels::sentence(labels::holes(document_, holes)));
 }
 
@@ -237,7 +228,7 @@ void InspectPanel::update_seam_soon() {
 void InspectPanel::update_seam() {
   const std::vector<int> loops = shown_loops();
   seam_->setRowCount(static_cast<int>(loops.size()));
-  for (int row = 0; row < static_cast<int>(loops.size()); ++row) fill_row(row, loops[static_cast<std::size_t>(row)]);
+  for (int row = 0; row < static_cast<int>(loops.size()); ++row) fill_row(row, loops[row]);
   update_curves(loops.empty() ? no_loop : loops.front());
   if (loops.empty()) {
     sentence_->setText(!document_.has_scan() ? tr("Open a scan, fill a hole, and its seam is measured here.")
@@ -248,8 +239,7 @@ void InspectPanel::update_seam() {
   }
   const int first = loops.front();
   const OpenPatch& patch = *document_.patch_of(first);
-  const auto at =
-      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), first) - patch.loops.begin());
+  const std::size_t at = patch.place_of(first);
   if (at >= patch.state->seams.size()) return;
   const Verdict* verdict = document_.verdict(first);
   QString text = labels::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status,
@@ -263,8 +253,7 @@ void InspectPanel::update_seam() {
 
 void InspectPanel::fill_row(int row, int loop) {
   const OpenPatch& patch = *document_.patch_of(loop);
-  const auto at =
-      static_cast<std::size_t>(std::find(patch.loops.begin(), patch.loops.end(), loop) - patch.loops.begin());
+  const std::size_t at = patch.place_of(loop);
   for (int column = 0; column < column_count; ++column) {
     QString text;
     if (column == hole) {

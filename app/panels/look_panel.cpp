@@ -7,16 +7,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QGroupBox>
-#include <QLabel>
 #include <QPainter>
 #include <QScopedValueRollback>
 #include <QSlider>
 #include <QVBoxLayout>
-
-#include <algorithm>
-#include <cmath>
 
 namespace loopmend {
 namespace {
@@ -85,20 +80,18 @@ void LookPanel::build() {
   shading_layout->addWidget(help_);
 
   stripes_ = new QSlider(Qt::Horizontal);
-  stripes_->setObjectName(QStringLiteral("stripes"));
   stripes_->setRange(3, 40);
-  explain(stripes_, tr("Stripes"), tr("How many stripes or bands there are"));
+  explain(stripes_, "stripes", tr("Stripes"), tr("How many stripes or bands there are"));
   auto* striped = new QGroupBox(tr("Stripes"));
   auto* striped_layout = new QVBoxLayout(striped);
   striped_layout->addWidget(stripes_);
   striped_ = striped;
 
   edges_ = new QCheckBox(tr("Wireframe: the triangles' edges"));
-  edges_->setObjectName(QStringLiteral("showEdges"));
-  explain(edges_, tr("Wireframe"), tr("Draw the triangles' edges (W)"));
+  explain(edges_, "showEdges", tr("Wireframe"), tr("Draw the triangles' edges (W)"));
   seams_ = new QCheckBox(tr("Boundaries and seams as lines"));
-  seams_->setObjectName(QStringLiteral("showSeams"));
-  explain(seams_, tr("Boundaries and seams"), tr("Draw the boundaries of holes and the seams of patches (M)"));
+  explain(seams_, "showSeams", tr("Boundaries and seams"),
+          tr("Draw the boundaries of holes and the seams of patches (M)"));
   auto* overlays = new QGroupBox(tr("Drawn over it"));
   auto* overlay_layout = new QVBoxLayout(overlays);
   overlay_layout->addWidget(edges_);
@@ -124,10 +117,9 @@ void LookPanel::build() {
 
 QWidget* LookPanel::build_colors() {
   map_ = new QComboBox;
-  map_->setObjectName(QStringLiteral("colorMap"));
   map_->setIconSize(QSize(72, 14));
   for (ColorMap map : all_color_maps) map_->addItem(map_icon(map), color_map_name(map), static_cast<int>(map));
-  explain(map_, tr("Colours"), tr("Each is distinct for every kind of colour vision"));
+  explain(map_, "colorMap", tr("Colours"), tr("Each is distinct for every kind of colour vision"));
   rule_ = new QComboBox;
   rule_->setObjectName(QStringLiteral("rangeRule"));
   rule_->addItem(tr("Percentile, all scans alike"), static_cast<int>(ColorRange::Rule::percentile));
@@ -139,20 +131,18 @@ QWidget* LookPanel::build_colors() {
          "same while a flow runs. Several scans share the widest range, or each has its own; the legend then shows "
          "that of the selected hole's scan"));
   percent_ = new QDoubleSpinBox;
-  percent_->setObjectName(QStringLiteral("percentile"));
   percent_->setRange(50, 100);
   percent_->setDecimals(1);
   percent_->setSuffix(QStringLiteral(" %"));
   percent_->setKeyboardTracking(false);
-  explain(percent_, tr("Percentile"), tr("This share of the scan's values lies within the range"));
+  explain(percent_, "percentile", tr("Percentile"), tr("This share of the scan's values lies within the range"));
   half_width_ = new QDoubleSpinBox;
-  half_width_->setObjectName(QStringLiteral("ownRange"));
   half_width_->setRange(1e-6, 1e9);
   half_width_->setDecimals(4);
   half_width_->setPrefix(QStringLiteral("\u00b1 "));
   half_width_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   half_width_->setKeyboardTracking(false);
-  explain(half_width_, tr("Own range"), tr("The curvature at the ends of the colours"));
+  explain(half_width_, "ownRange", tr("Own range"), tr("The curvature at the ends of the colours"));
   auto* box = new QGroupBox(tr("Colours"));
   auto* form = new QVBoxLayout(box);
   for (QWidget* widget : {static_cast<QWidget*>(map_), static_cast<QWidget*>(rule_), static_cast<QWidget*>(percent_),
@@ -203,30 +193,6 @@ void LookPanel::change() {
 
 void LookPanel::set_look(const Look& look) {
   look_ = look;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
-void LookPanel::set_shading(Shading shading) {
-  look_.shading = shading;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
-void LookPanel::set_edges(Edges edges) {
-  look_.edges = edges;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
-void LookPanel::set_seams(Seams seams) {
-  look_.seams = seams;
-  show_look();
-  Q_EMIT look_changed(look_);
-}
-
-void LookPanel::set_color_map(ColorMap map) {
-  look_.map = map;
   show_look();
   Q_EMIT look_changed(look_);
 }

@@ -26,10 +26,10 @@ class LookPanel : public QWidget {
 
   const Look& look() const { return look_; }
   void set_look(const Look& look);
-  void set_shading(Shading shading);
-  void set_edges(Edges edges);
-  void set_seams(Seams seams);
-  void set_color_map(ColorMap map);
+  void set_shading(Shading shading) { set(&Look::shading, shading); }
+  void set_edges(Edges edges) { set(&Look::edges, edges); }
+  void set_seams(Seams seams) { set(&Look::seams, seams); }
+  void set_color_map(ColorMap map) { set(&Look::map, map); }
   /// The half-width in force, to begin with when a range of one's own is wanted.
   void know_range(double half_width);
   ClippingBox& clipping() { return *clipping_; }
@@ -42,6 +42,12 @@ class LookPanel : public QWidget {
   QWidget* build_colors();
   void show_look();
   void change();
+  template <class T>
+  void set(T Look::*part, T value) {
+    Look look = look_;
+    look.*part = value;
+    set_look(look);
+  }
 
   Look look_;
   double range_in_force_ = 1;

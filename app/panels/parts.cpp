@@ -16,8 +16,8 @@ QPushButton* make_button(const char* name, const QString& text, const QString& h
   return button;
 }
 
-QuietLabel* make_note(const char* name) {
-  auto* label = new QuietLabel;
+QuietLabel* make_note(const char* name, const QString& text) {
+  auto* label = new QuietLabel(text);
   label->setObjectName(QLatin1String(name));
   return label;
 }
@@ -47,10 +47,15 @@ QToolButton* make_fold(const char* name, const QString& title, QWidget* content)
   return button;
 }
 
-void explain(QWidget* widget, const QString& name, const QString& help) {
-  widget->setAccessibleName(name);
+void explain(QWidget* widget, const QString& title, const QString& help) {
+  widget->setAccessibleName(title);
   widget->setAccessibleDescription(help);
   widget->setToolTip(help);
+}
+
+void explain(QWidget* widget, const char* name, const QString& title, const QString& help) {
+  widget->setObjectName(QLatin1String(name));
+  explain(widget, title, help);
 }
 
 QSize largest_window() {

@@ -4,8 +4,6 @@
 
 #include <QWidget>
 
-#include <set>
-
 namespace loopmend {
 
 class DecisionBox;

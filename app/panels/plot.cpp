@@ -19,7 +19,7 @@ QColor plot_ink(int ink, PlotGround ground) {
                                                             {QColor(190, 88, 0), QColor(250, 165, 80)},
                                                             {QColor(96, 100, 108), QColor(168, 172, 180)},
                                                             {QColor(0, 128, 96), QColor(80, 205, 165)}}};
-  return colors[static_cast<std::size_t>(ink)][ground == PlotGround::dark ? 1 : 0];
+  return colors[ink][ground == PlotGround::dark ? 1 : 0];
 }
 
 Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
@@ -42,14 +42,12 @@ Plot::Plot(const char* name, const QString& accessible_name, QWidget* parent)
   words_->setObjectName(QStringLiteral("words"));
   words_->setAlignment(Qt::AlignCenter);
   words_->setMargin(8);
-  auto* over = new QVBoxLayout(plot_);
-  over->setContentsMargins(0, 0, 0, 0);
+  auto* over = make_layout<QVBoxLayout>(plot_);
   over->addWidget(words_);
   auto* marker = new QCPItemStraightLine(plot_);
   marker->setObjectName(QStringLiteral("marker"));
   marker->setVisible(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(plot_);
   take_colors();
 }

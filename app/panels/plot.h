@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QColor>
-#include <QPointer>
 #include <QVector>
 #include <QWidget>
 

@@ -31,10 +31,9 @@ void ProgressBox::build() {
   stage_ = make_note("stage");
   stage_->setText(tr("Nothing is running."));
   bar_ = new QProgressBar;
-  bar_->setObjectName(QStringLiteral("progress"));
   bar_->setTextVisible(false);
   bar_->setMaximumHeight(8);
-  explain(bar_, tr("Progress"), tr("How far the present job is"));
+  explain(bar_, "progress", tr("Progress"), tr("How far the present job is"));
   QSizePolicy keep = bar_->sizePolicy();
   keep.setRetainSizeWhenHidden(true);
   bar_->setSizePolicy(keep);

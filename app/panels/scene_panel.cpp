@@ -49,8 +49,7 @@ ScenePanel::ScenePanel(const Document& document, SceneVisibility& visibility, QW
       note_(make_note("sceneNote")),
       unit_(new QComboBox) {
   setObjectName(QStringLiteral("scenePanel"));
-  tree_->setObjectName(QStringLiteral("sceneTree"));
-  explain(tree_, tr("Scene"), tr("Scans, their pieces and patches; the check boxes hide and show them"));
+  explain(tree_, "sceneTree", tr("Scene"), tr("Scans, their pieces and patches; the check boxes hide and show them"));
   tree_->setToolTip({});
   tree_->setItemDelegate(new RowDelegate(tree_));
   tree_->setColumnCount(2);
@@ -72,10 +71,9 @@ ScenePanel::ScenePanel(const Document& document, SceneVisibility& visibility, QW
   row->addStretch(1);
   layout->addLayout(row);
   layout->addWidget(note_);
-  unit_->setObjectName(QStringLiteral("sceneUnit"));
   unit_->addItem(labels::unit_name({}), QString());
   for (const char* unit : length_units) unit_->addItem(labels::unit_name(unit), QLatin1String(unit));
-  explain(unit_, tr("Lengths in"),
+  explain(unit_, "sceneUnit", tr("Lengths in"),
           tr("What the lengths of the scans are measured in. Nothing is converted; it is shown, and written to 3MF"));
   auto* unit_label = new QLabel(tr("Lengths in"));
   unit_label->setBuddy(unit_);

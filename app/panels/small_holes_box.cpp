@@ -36,28 +36,24 @@ SmallHolesBox::SmallHolesBox(Document& document, QWidget* parent) : QWidget(pare
 }
 
 void SmallHolesBox::build() {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = make_layout<QGridLayout>(this);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(6);
   auto* label = new QLabel(tr("Fill all up to"));
   limit_ = new QDoubleSpinBox;
-  limit_->setObjectName(QStringLiteral("sizeLimit"));
   limit_->setRange(0, 1e9);
   limit_->setDecimals(0);
   limit_->setValue(100);
-  explain(limit_, tr("Largest size"), tr("Holes up to this size are meant"));
+  explain(limit_, "sizeLimit", tr("Largest size"), tr("Holes up to this size are meant"));
   label->setBuddy(limit_);
   measure_ = new QComboBox;
-  measure_->setObjectName(QStringLiteral("sizeMeasure"));
   measure_->addItem(tr("edges"), static_cast<int>(SizeMeasure::edges));
   measure_->addItem(tr("diameter"), static_cast<int>(SizeMeasure::diameter));
-  explain(measure_, tr("Measure"),
+  explain(measure_, "sizeMeasure", tr("Measure"),
           tr("What the size of a hole is: edges along its boundary, or its diameter in the scan's unit"));
   fill_ = make_button("fillUpTo", tr("Fill"), tr("Fill every open hole up to this size"));
   outer_rims_ = new QCheckBox;
-  outer_rims_->setObjectName(QStringLiteral("includeRims"));
-  explain(outer_rims_, tr("Include outer rims"),
+  explain(outer_rims_, "includeRims", tr("Include outer rims"),
           tr("The outline of an open sheet looks like a hole to a program. It is left out unless you include it here, "
              "or select it yourself"));
   grid->addWidget(label, 0, 0);

@@ -51,8 +51,7 @@ Welcome::Welcome(QWidget* parent) : QWidget(parent) {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   scroll->setWidget(content);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
+  auto* all = make_layout<QVBoxLayout>(this);
   all->addWidget(scroll);
   auto* layout = new QVBoxLayout(content);
   layout->setSpacing(8);

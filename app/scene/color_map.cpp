@@ -2,7 +2,6 @@
 #include "scene/color_map.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace loopmend {
 namespace {

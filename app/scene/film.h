@@ -8,7 +8,6 @@
 #include "scene/surface_shape.h"
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -42,7 +41,7 @@ int write_film(std::ostream& out, int width, int height, const std::vector<GifCo
                const std::function<std::optional<FilmPicture>()>& next);
 
 struct FilmState {
-  std::shared_ptr<const SurfaceShape> patch;
+  SurfaceShapePtr patch;
   std::string caption;  ///< one line
 };
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <unordered_map>
 
 namespace loopmend {
@@ -64,11 +63,11 @@ class GifPatterns {
   /// wanted color's projection.
   GifPattern made(const std::array<int, 3>& color) const {
     const int first = nearest(color);
-    const GifColor& p = palette_[static_cast<std::size_t>(first)];
+    const GifColor& p = palette_[first];
     std::array<int, 3> beyond{};
     for (std::size_t k = 0; k < 3; ++k) beyond[k] = 2 * color[k] - p[k];
     const int second = nearest(beyond);
-    const GifColor& q = palette_[static_cast<std::size_t>(second)];
+    const GifColor& q = palette_[second];
     int along = 0, length = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       along += (color[k] - p[k]) * (q[k] - p[k]);
@@ -142,7 +141,7 @@ void GifWriter::Impl::put_changes() {
   int left = width, right = 0, top = height, bottom = 0;
   for (int y = 0, k = 0; y < height; ++y)
     for (int x = 0; x < width; ++x, ++k) {
-      if (!shown.empty() && shown[static_cast<std::size_t>(k)] == next[static_cast<std::size_t>(k)]) continue;
+      if (!shown.empty() && shown[k] == next[k]) continue;
       left = std::min(left, x);
       right = std::max(right, x);
       top = std::min(top, y);

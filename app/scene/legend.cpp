@@ -152,7 +152,7 @@ void Legend::lay_out(int width, int height) {
   const double low = table_->GetRange()[0], range = table_->GetRange()[1];
   for (int i = 0; i < label_count; ++i) {
     const double t = static_cast<double>(i) / (label_count - 1);
-    vtkTextActor* label = labels_[static_cast<std::size_t>(i)];
+    vtkTextActor* label = labels_[i];
     std::string text = number(low + t * (range - low), range, decimal_mark_);
     if (low == 0 && text[0] == '+') text.erase(0, 1);
     label->SetInput(text.c_str());

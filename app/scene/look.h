@@ -19,6 +19,8 @@ struct ColorRange {
   } rule = Rule::percentile;
   double percent = 98;    ///< 50..100
   double half_width = 1;  ///< above 0; 1/length for H, 1/length² for K
+
+  bool operator==(const ColorRange&) const = default;
 };
 
 struct Look {
@@ -31,6 +33,7 @@ struct Look {
 
   const ColorRange& range() const { return shading == Shading::gaussian ? K : H; }
   ColorRange& range() { return shading == Shading::gaussian ? K : H; }
+  bool operator==(const Look&) const = default;
 };
 
 /// From where the scene is looked at; mesh units.
@@ -38,6 +41,8 @@ struct Viewpoint {
   Vec3 focus = Vec3::Zero();
   Vec3 eye = Vec3::UnitZ();
   Vec3 up = Vec3::UnitY();  ///< unit
+
+  bool operator==(const Viewpoint&) const = default;
 };
 
 }  // namespace loopmend

@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t most_single_patches = 12;
 constexpr std::size_t small_patch_points = 6000;
 
-using ShapePtr = std::shared_ptr<const SurfaceShape>;
+using ShapePtr = SurfaceShapePtr;
 
 }  // namespace
 

@@ -30,20 +30,19 @@ class MeshScene {
 
   void clear();
   /// @param parts  what the scan is drawn by in its own colours, where those of the shape do not say it all
-  void set_scan(int index, std::shared_ptr<const SurfaceShape> shape,
-                const std::vector<std::shared_ptr<const SurfaceShape>>& parts = {});
+  void set_scan(int index, SurfaceShapePtr shape, const std::vector<SurfaceShapePtr>& parts = {});
   /// Every scan whose index is not in `indices` goes.
   void keep_scans(const std::vector<int>& indices);
   /// Adds the patch of this scan, or shows its new state.
-  void set_patch(int id, int scan, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
+  void set_patch(int id, int scan, SurfaceShapePtr shape, Arrival arrival = Arrival::at_once);
   /// A flow begins on this patch: another state of it is on its way.
   void expect_news(int id);
   /// Every patch whose id is not in `ids` goes.
   void keep_patches(const std::vector<int>& ids);
   /// Patches that are only thought of: plain, with their edges.
-  void set_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& shapes);
+  void set_ghosts(const std::vector<SurfaceShapePtr>& shapes);
   /// Painted over what it lies on; null: nothing.
-  void set_marked(std::shared_ptr<const SurfaceShape> shape);
+  void set_marked(SurfaceShapePtr shape);
   void set_loops(const std::vector<LoopLine>& loops);
   /// Draws a scan elsewhere while its part is being moved, without touching its arrays.
   void place_scan(int index, const Eigen::Matrix4d& placement);

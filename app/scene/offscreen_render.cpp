@@ -32,7 +32,7 @@ constexpr double crease_deg = 50;  ///< edges that bend by more look sharp in a 
 
 struct SceneOfModel {
   MeshScene scene;
-  std::shared_ptr<const SurfaceShape> shape;
+  SurfaceShapePtr shape;
 };
 
 void check(const RenderOptions& options) {
@@ -73,7 +73,7 @@ void fill_scene(SceneOfModel& picture, const SurfaceModel& model, const RenderOp
   auto shape = std::make_shared<SurfaceShape>(shape_of(model.mesh, origin));
   if (options.shading == Shading::plain) *shape = parted_at_creases(std::move(*shape), crease_deg);
   if (is_drawn_over_the_scan(options.shading)) *shape = with_curvature(*shape, curvature_field(model.mesh));
-  std::vector<std::shared_ptr<const SurfaceShape>> parts;
+  std::vector<SurfaceShapePtr> parts;
   if (options.shading == Shading::scan) parts = colored_parts(scan_colors(model), *shape);
   picture.shape = std::move(shape);
   picture.scene.set_scan(0, picture.shape, parts);

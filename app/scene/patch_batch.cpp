@@ -14,7 +14,7 @@ void append_triangles(std::vector<int>& to, const SurfaceShape& from, std::size_
   for (std::size_t k = 3 * first; k < 3 * last; ++k) to.push_back(from.triangles[k] + shift);
 }
 
-std::shared_ptr<const SurfaceShape> joined(const PatchBatch::Shapes& shapes) {
+SurfaceShapePtr joined(const PatchBatch::Shapes& shapes) {
   auto all = std::make_shared<SurfaceShape>();
   std::vector<int> shifts, corners;
   for (const auto& [id, shape] : shapes) {

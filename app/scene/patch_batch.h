@@ -5,7 +5,6 @@
 #include "scene/surface_actor.h"
 
 #include <map>
-#include <memory>
 
 namespace loopmend {
 
@@ -13,7 +12,7 @@ class PatchBatch {
  public:
   explicit PatchBatch(vtkLookupTable* table) : surface_(SurfaceActor::Role::patch, table) {}
 
-  using Shapes = std::map<int, std::shared_ptr<const SurfaceShape>>;
+  using Shapes = std::map<int, SurfaceShapePtr>;
   /// Joins them again where they are others than before.
   void show(const Shapes& shapes);
   SurfaceActor& surface() { return surface_; }

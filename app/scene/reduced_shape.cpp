@@ -113,7 +113,7 @@ TriangleList in_z_order(const TriangleList& triangles, const std::vector<float>&
 
 }  // namespace
 
-std::shared_ptr<const SurfaceShape> reduced_shape(const SurfaceShape& shape) {
+SurfaceShapePtr reduced_shape(const SurfaceShape& shape) {
   if (shape.triangles.size() / 3 < large_triangles) return nullptr;
   int cells = finest_grid;
   Clusters clusters = clusters_of(shape.points, cells);
@@ -137,9 +137,7 @@ std::shared_ptr<const SurfaceShape> reduced_shape(const SurfaceShape& shape) {
   reduced->picture = shape.picture;
   std::vector<int> corners;
   for (std::size_t t = 0; t + 2 < shape.triangles.size(); t += 3) {
-    const auto cluster = [&](std::size_t k) {
-      return clusters.of_point[static_cast<std::size_t>(shape.triangles[t + k])];
-    };
+    const auto cluster = [&](std::size_t k) { return clusters.of_point[shape.triangles[t + k]]; };
     const int a = cluster(0), b = cluster(1), c = cluster(2);
     if (a != b && b != c && c != a) corners.insert(corners.end(), {a, b, c});
   }

@@ -20,7 +20,7 @@ namespace loopmend {
 
 class ScanDrawing {
  public:
-  using ShapePtr = std::shared_ptr<const SurfaceShape>;
+  using ShapePtr = SurfaceShapePtr;
   using Shapes = std::vector<ShapePtr>;
   /// @param make  an actor that looks as those of the scene do
   ScanDrawing(CachedBackground* renderer, std::function<std::unique_ptr<SurfaceActor>()> make);

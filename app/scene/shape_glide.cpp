@@ -25,8 +25,7 @@ bool ShapeGlide::is_possible(const SurfaceShape& from, const SurfaceShape& to) {
   return 2 * same > to.triangles.size();
 }
 
-ShapeGlide::ShapeGlide(const SurfaceShape& from, std::shared_ptr<const SurfaceShape> to, Clock::time_point now,
-                       Clock::duration time)
+ShapeGlide::ShapeGlide(const SurfaceShape& from, SurfaceShapePtr to, Clock::time_point now, Clock::duration time)
     : to_(std::move(to)) {
   shown_.points = from.points;
   shown_.normals = from.normals;

@@ -6,7 +6,6 @@
 #include "scene/surface_shape.h"
 
 #include <chrono>
-#include <memory>
 
 namespace loopmend {
 
@@ -25,8 +24,7 @@ class ShapeGlide {
   static bool is_possible(const SurfaceShape& from, const SurfaceShape& to);
 
   /// @param from  is_possible() with `to`; not needed any more afterwards.
-  ShapeGlide(const SurfaceShape& from, std::shared_ptr<const SurfaceShape> to, Clock::time_point now,
-             Clock::duration time);
+  ShapeGlide(const SurfaceShape& from, SurfaceShapePtr to, Clock::time_point now, Clock::duration time);
 
   /// Goes to where the surface is at this time.
   void advance(Clock::time_point now);
@@ -36,13 +34,13 @@ class ShapeGlide {
 
   /// Without triangles. The arrays stay where they are in memory.
   const SurfaceShape& shown() const { return shown_; }
-  const std::shared_ptr<const SurfaceShape>& goal() const { return to_; }
+  const SurfaceShapePtr& goal() const { return to_; }
 
  private:
   void start_from_shown(Clock::time_point now, Clock::time_point end);
 
   SurfaceShape from_, shown_;
-  std::shared_ptr<const SurfaceShape> to_;
+  SurfaceShapePtr to_;
   Clock::time_point begin_, end_;
 };
 

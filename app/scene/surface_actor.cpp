@@ -133,7 +133,7 @@ vtkNew<vtkTexture> texture_of(const Picture& picture) {
   return texture;
 }
 
-vtkNew<vtkFloatArray> unknown_everywhere(const std::shared_ptr<const SurfaceShape>& shape) {
+vtkNew<vtkFloatArray> unknown_everywhere(const SurfaceShapePtr& shape) {
   vtkNew<vtkFloatArray> array;
   array->SetName("values");
   array->SetNumberOfValues(shape ? static_cast<vtkIdType>(shape->points.size() / 3) : 0);
@@ -203,7 +203,7 @@ SurfaceActor::~SurfaceActor() = default;
 
 vtkActor* SurfaceActor::actor() const { return actor_; }
 
-void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now) {
+void SurfaceActor::set_shape(SurfaceShapePtr shape, Arrival arrival, Clock::time_point now) {
   const bool known = shape == shape_;
   if (known && (!glide_ || arrival == Arrival::with_the_next)) return;
   if (!known && arrival != Arrival::at_once && shape_ && ShapeGlide::is_possible(*shape_, *shape)) {
@@ -217,9 +217,9 @@ void SurfaceActor::set_shape(std::shared_ptr<const SurfaceShape> shape, Arrival 
 }
 
 /// As it is, without a copy.
-void SurfaceActor::show(std::shared_ptr<const SurfaceShape> shape) {
+void SurfaceActor::show(SurfaceShapePtr shape) {
   // The old arrays stay valid until they are replaced.
-  const std::shared_ptr<const SurfaceShape> old = std::move(shape_);
+  const SurfaceShapePtr old = std::move(shape_);
   const std::unique_ptr<ShapeGlide> old_glide = std::move(glide_);
   shape_ = std::move(shape);
   vtkNew<vtkPoints> points;
@@ -232,7 +232,7 @@ void SurfaceActor::show(std::shared_ptr<const SurfaceShape> shape) {
 
 /// The time that the last state took to come is about what the next one will take; some more, since a surface that waits
 /// for a late one looks stuck.
-void SurfaceActor::glide(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now) {
+void SurfaceActor::glide(SurfaceShapePtr shape, Arrival arrival, Clock::time_point now) {
   Clock::duration time = a_moment;
   if (arrival == Arrival::with_the_next && last_news_)
     time = std::clamp<Clock::duration>((now - *last_news_) * 4 / 3, shortest_way, longest_way);
@@ -240,7 +240,7 @@ void SurfaceActor::glide(std::shared_ptr<const SurfaceShape> shape, Arrival arri
   if (glide_) glide_->advance(now);
   auto next = std::make_unique<ShapeGlide>(glide_ ? glide_->shown() : *shape_, shape, now, time);
   const std::unique_ptr<ShapeGlide> old = std::exchange(glide_, std::move(next));
-  const std::shared_ptr<const SurfaceShape> old_shape = std::exchange(shape_, std::move(shape));
+  const SurfaceShapePtr old_shape = std::exchange(shape_, std::move(shape));
   vtkNew<vtkPoints> points;
   points->SetData(wrap(glide_->shown().points, 3, "points"));
   data_->SetPoints(points);

@@ -36,8 +36,8 @@ class SurfaceActor {
   using Clock = ShapeGlide::Clock;
 
   /// Draws another surface, or another state of the same one.
-  void set_shape(std::shared_ptr<const SurfaceShape> shape) { set_shape(std::move(shape), Arrival::at_once, {}); }
-  void set_shape(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now);
+  void set_shape(SurfaceShapePtr shape) { set_shape(std::move(shape), Arrival::at_once, {}); }
+  void set_shape(SurfaceShapePtr shape, Arrival arrival, Clock::time_point now);
   /// From now on another state of the surface is being worked at: the first one will take as long to be reached as it took
   /// to come.
   void expect_news(Clock::time_point now) { last_news_ = now; }
@@ -62,8 +62,8 @@ class SurfaceActor {
   const SurfaceShape* shape() const { return shape_.get(); }
 
  private:
-  void show(std::shared_ptr<const SurfaceShape> shape);
-  void glide(std::shared_ptr<const SurfaceShape> shape, Arrival arrival, Clock::time_point now);
+  void show(SurfaceShapePtr shape);
+  void glide(SurfaceShapePtr shape, Arrival arrival, Clock::time_point now);
   void choose_program();
   void update_triangles();
   void update_scalars();
@@ -71,7 +71,7 @@ class SurfaceActor {
 
   Role role_;
   Shading shading_ = Shading::curvature;
-  std::shared_ptr<const SurfaceShape> shape_, triangles_of_;
+  SurfaceShapePtr shape_, triangles_of_;
   std::shared_ptr<const Picture> picture_;  ///< of the actor's texture
   std::unique_ptr<ShapeGlide> glide_;
   std::optional<Clock::time_point> last_news_;

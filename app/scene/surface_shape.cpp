@@ -28,7 +28,7 @@ Points area_weighted_normals(const SurfaceShape& shape) {
     const int a = shape.triangles[t], b = shape.triangles[t + 1], c = shape.triangles[t + 2];
     const Vec3 p = get(shape.points, a);
     const Vec3 n = (get(shape.points, b) - p).cross(get(shape.points, c) - p);
-    for (int v : {a, b, c}) normals[static_cast<std::size_t>(v)] += n;
+    for (int v : {a, b, c}) normals[v] += n;
   }
   for (Vec3& n : normals) {
     const double length = n.norm();
@@ -156,10 +156,10 @@ SurfaceShape parted_at_creases(SurfaceShape shape, double degrees) {
     }
   };
   each_corner([&](const Corner& c) {
-    if (c.normal.dot(get(shape.normals, c.vertex)) < half_cosine) leans[static_cast<std::size_t>(c.vertex)] = 1;
+    if (c.normal.dot(get(shape.normals, c.vertex)) < half_cosine) leans[c.vertex] = 1;
   });
   each_corner([&](const Corner& c) {
-    if (leans[static_cast<std::size_t>(c.vertex)]) corners.push_back(c);
+    if (leans[c.vertex]) corners.push_back(c);
   });
   if (corners.empty()) return shape;
   std::stable_sort(corners.begin(), corners.end(),
@@ -199,9 +199,11 @@ SurfaceShape with_curvature(const SurfaceShape& shape, CurvatureField field) {
   return colored;
 }
 
-SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin,
-                      const std::shared_ptr<const std::vector<Color>>& scan_colors) {
-  SurfaceShape shape;
+SurfaceShapePtr shape_of(const Patch& patch, const Vec3& origin,
+                         const std::shared_ptr<const std::vector<Color>>& scan_colors) {
+  const CurvatureField field = curvature_field(patch);
+  auto made = std::make_shared<SurfaceShape>();
+  SurfaceShape& shape = *made;
   shape.points.resize(3 * patch.positions.size());
   for (std::size_t i = 0; i < patch.positions.size(); ++i)
     put(shape.points, i, patch.to_mesh(patch.positions[i]) - origin);
@@ -209,8 +211,7 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   std::vector<Triangle> shown(patch.triangles.begin(), patch.triangles.begin() + patch.patch_triangles);
   std::copy_if(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end(), std::back_inserter(shown),
                [&](const Triangle& t) {
-                 return std::all_of(t.begin(), t.end(),
-                                    [&](int v) { return patch.ring[static_cast<std::size_t>(v)] <= blended_rings; });
+                 return std::all_of(t.begin(), t.end(), [&](int v) { return patch.ring[v] <= blended_rings; });
                });
   shape.triangles = listed(shown);
   shape.normals.resize(shape.points.size());
@@ -220,7 +221,7 @@ SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec
   shape.K = to_floats(field.K);
   shape.scan_colors = scan_colors;
   if (scan_colors) shape.colors = three_bytes(patch_colors(patch, *scan_colors));
-  return shape;
+  return made;
 }
 
 const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading) {
@@ -238,16 +239,15 @@ const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading) 
   return none;
 }
 
-std::shared_ptr<const SurfaceShape> with_deviation(const SurfaceShape& shape,
-                                                   std::span<const double> of_free_vertices) {
+SurfaceShapePtr with_deviation(const SurfaceShape& shape, std::span<const double> of_free_vertices) {
   auto known = std::make_shared<SurfaceShape>(shape);
   known->deviation.assign(of_free_vertices.begin(), of_free_vertices.end());
   if (!known->deviation.empty()) known->deviation.resize(shape.points.size() / 3, 0);
   return known;
 }
 
-std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors& colors, SurfaceShape& view) {
-  std::vector<std::shared_ptr<const SurfaceShape>> parts;
+std::vector<SurfaceShapePtr> colored_parts(const ScanColors& colors, SurfaceShape& view) {
+  std::vector<SurfaceShapePtr> parts;
   if (colors.at_vertices.size() * 3 == view.points.size()) view.colors = three_bytes(colors.at_vertices);
   for (const ColoredPart& part : colors.parts) {
     auto shape = std::make_shared<SurfaceShape>();
@@ -280,7 +280,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
   for (int t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int v = whole.triangles[3 * static_cast<std::size_t>(t) + k];
-      int& n = number[static_cast<std::size_t>(v)];
+      int& n = number[v];
       if (n < 0) {
         n = static_cast<int>(used.size());
         used.push_back(v);
@@ -303,7 +303,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
   take(whole.deviation, 1, shape->deviation);
   take(whole.colors, 3, shape->colors);
   take(whole.texture, 2, shape->texture);
-  for (int v : used) number[static_cast<std::size_t>(v)] = -1;
+  for (int v : used) number[v] = -1;
   return shape;
 }
 

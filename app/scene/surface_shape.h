@@ -15,6 +15,9 @@
 
 namespace loopmend {
 
+struct SurfaceShape;
+using SurfaceShapePtr = std::shared_ptr<const SurfaceShape>;
+
 /// Positions are relative to an origin that the whole scene shares, so that far-off scans keep their digits as floats.
 struct SurfaceShape {
   std::vector<float> points;          ///< 3 × #V, mesh units, minus the scene's origin
@@ -31,7 +34,7 @@ struct SurfaceShape {
   std::vector<int> view_vertex;            ///< of a part of a scan: the vertex of its view that each one is; else empty
   /// Of a patch: colours of the scan, per vertex of its view; null: it has none.
   std::shared_ptr<const std::vector<Color>> scan_colors;
-  std::shared_ptr<const SurfaceShape> reduced;  ///< of a large one: reduced_shape(); else null
+  SurfaceShapePtr reduced;  ///< of a large one: reduced_shape(); else null
 };
 
 /// What the colours of a shading stand for; empty: not known, or not coloured by values.
@@ -39,7 +42,7 @@ const std::vector<float>& values_of(const SurfaceShape& shape, Shading shading);
 
 /// The shape of a patch with the likely distance of each vertex; 0 at the vertices of the scan.
 /// @param of_free_vertices  DeviationEstimate::vertices; empty: not known
-std::shared_ptr<const SurfaceShape> with_deviation(const SurfaceShape& shape, std::span<const double> of_free_vertices);
+SurfaceShapePtr with_deviation(const SurfaceShape& shape, std::span<const double> of_free_vertices);
 
 /// Some triangles of a surface, in this order, with the vertices that they need.
 /// @param number  -1 for every vertex of the surface, or shorter; so it is left
@@ -48,7 +51,7 @@ std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::spa
 
 /// The reduced version of a large surface, which is drawn while the eye moves: at most some 60 000 vertices, the means of those in
 /// one cell of a grid. Null: the surface is not large.
-std::shared_ptr<const SurfaceShape> reduced_shape(const SurfaceShape& shape);
+SurfaceShapePtr reduced_shape(const SurfaceShape& shape);
 
 /// Gives a large surface its reduced version. Its triangles come in another order: near ones follow each other.
 SurfaceShape with_reduced(SurfaceShape shape);
@@ -74,14 +77,14 @@ SurfaceShape parted_at_creases(SurfaceShape shape, double degrees);
 /// @param field  of the shape's vertices; each of its arrays is freed when it has been read, since a large scan needs the memory
 SurfaceShape with_curvature(const SurfaceShape& shape, CurvatureField field);
 
-/// The patch and the three rings around it, where its H runs into that of the open scan.
+/// The patch with its curvature, and the three rings around it, where its H runs into that of the open scan.
 /// @param scan_colors  ScanColors::at_vertices, from which its colours go on; null: the scan has none
-SurfaceShape shape_of(const Patch& patch, const CurvatureField& field, const Vec3& origin,
-                      const std::shared_ptr<const std::vector<Color>>& scan_colors = nullptr);
+SurfaceShapePtr shape_of(const Patch& patch, const Vec3& origin,
+                         const std::shared_ptr<const std::vector<Color>>& scan_colors = nullptr);
 
 /// Gives the shape of a scan's view its colours at vertices, and makes shapes of the parts that it is drawn by where these do
 /// not say it all; normals are those of the shape.
-std::vector<std::shared_ptr<const SurfaceShape>> colored_parts(const ScanColors& colors, SurfaceShape& view);
+std::vector<SurfaceShapePtr> colored_parts(const ScanColors& colors, SurfaceShape& view);
 
 /// Half-width R of the colour range [−R, R] that holds `percent` of the values on either side of 0, rounded to two digits
 /// so that the legend reads well; 1 when nothing is known. Of more than a million values, every second, third, ... counts.

@@ -5,16 +5,15 @@
 #include "scene/shape_glide.h"
 #include "scene/surface_shape.h"
 
-#include <memory>
 #include <set>
 
 namespace loopmend {
 
 struct ProblemPicture {
-  std::set<int> hidden_scans;                    ///< with their patches
-  std::shared_ptr<const SurfaceShape> backdrop;  ///< in their place; may be null
-  std::shared_ptr<const SurfaceShape> patch;     ///< that moves; may be null
-  Arrival arrival = Arrival::at_once;            ///< of the patch
+  std::set<int> hidden_scans;          ///< with their patches
+  SurfaceShapePtr backdrop;            ///< in their place; may be null
+  SurfaceShapePtr patch;               ///< that moves; may be null
+  Arrival arrival = Arrival::at_once;  ///< of the patch
 };
 
 }  // namespace loopmend

@@ -23,21 +23,18 @@ BlendBox::BlendBox(const Document& document, const HoleSelection& selection, Par
                           tr("Select of each part the loop that looks at the others most"))),
       density_(new QDoubleSpinBox),
       part_(new QComboBox) {
-  auto* hint = make_note("blendHint");
-  hint->setText(
+  auto* hint = make_note(
+      "blendHint",
       tr("Select two or more boundaries, in the picture or in the table; Ctrl adds. One patch will join them."));
-  density_->setObjectName(QStringLiteral("blendDensity"));
   density_->setRange(0.1, 10);
   density_->setSingleStep(0.1);
   density_->setValue(1);
   density_->setPrefix(QStringLiteral("\u00d7 "));
   density_->setKeyboardTracking(false);
-  explain(density_, tr("Density"), tr("Edges along a length, relative to the neighborhood"));
-  part_->setObjectName(QStringLiteral("blendPart"));
-  explain(part_, tr("Part to place"),
+  explain(density_, "blendDensity", tr("Density"), tr("Edges along a length, relative to the neighborhood"));
+  explain(part_, "blendPart", tr("Part to place"),
           tr("This part gets a handle in the picture: arrows move it, rings turn it, the square scales it"));
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = make_layout<QFormLayout>(this);
   form->setVerticalSpacing(6);
   form->addRow(hint);
   form->addRow(chosen_);

@@ -50,8 +50,7 @@ void BridgeTool::take_loops() {
     for (int v : document_.loop(loop).vertices) {
       const auto begin = opened->shape->points.begin() + 3 * static_cast<std::ptrdiff_t>(v);
       xyz.insert(xyz.end(), begin, begin + 3);
-      seats_.push_back(
-          {scan, opened->model->soup_vertex[static_cast<std::size_t>(v)], loop, first, document_.loop(loop).edges()});
+      seats_.push_back({scan, opened->model->soup_vertex[v], loop, first, document_.loop(loop).edges()});
     }
   }
   points_.set_points(std::move(xyz));
@@ -62,21 +61,21 @@ bool BridgeTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
   at_ = event.localPos();
   hovered_ = points_.nearest(space, at_, bridge_reach);
   longer_ = event.modifiers().testFlag(Qt::ControlModifier);
-  const auto seat = [this](int i) { return seats_[static_cast<std::size_t>(i)]; };
+  const auto seat = [this](int i) { return seats_[i]; };
   if (purpose_ != Purpose::bridge && begun_ >= 0 && hovered_ >= 0 && seat(begun_).loop != seat(hovered_).loop)
     hovered_ = -1;
   if (act != Act::press) return act == Act::hover;
   if (event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier)) return false;
   if (hovered_ < 0) return false;  // beside the boundaries: the picture turns
-  const Seat second = seats_[static_cast<std::size_t>(hovered_)];
-  if (begun_ < 0 || seats_[static_cast<std::size_t>(begun_)].scan != second.scan) {
+  const Seat second = seats_[hovered_];
+  if (begun_ < 0 || seats_[begun_].scan != second.scan) {
     begun_ = hovered_;
     Q_EMIT changed();
     return true;
   }
-  const Seat first = seats_[static_cast<std::size_t>(begun_)];
+  const Seat first = seats_[begun_];
   const std::vector<int> chosen = part();
-  const int beside = chosen.empty() ? -1 : seats_[static_cast<std::size_t>(chosen[chosen.size() / 2])].soup_point;
+  const int beside = chosen.empty() ? -1 : seats_[chosen[chosen.size() / 2]].soup_point;
   clear();
   if (first == second) return true;
   switch (purpose_) {
@@ -88,7 +87,7 @@ bool BridgeTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
 }
 
 double BridgeTool::length(int seat, int steps) const {
-  const Seat& at = seats_[static_cast<std::size_t>(seat)];
+  const Seat& at = seats_[seat];
   double sum = 0;
   for (int k = 0; k < steps; ++k) {
     const int from = at.first + (seat - at.first + k) % at.count, to = at.first + (seat - at.first + k + 1) % at.count;
@@ -100,7 +99,7 @@ double BridgeTool::length(int seat, int steps) const {
 /// The bridge takes the edges that begin at both vertices: a part begins behind one of these edges.
 std::vector<int> BridgeTool::part() const {
   if (purpose_ != Purpose::fill_part || begun_ < 0 || hovered_ < 0 || begun_ == hovered_) return {};
-  const Seat& at = seats_[static_cast<std::size_t>(begun_)];
+  const Seat& at = seats_[begun_];
   const int there = (hovered_ - begun_ + at.count) % at.count, back = at.count - there;
   const bool forth = (length(begun_, there) <= length(hovered_, back)) != longer_;
   const int from = forth ? begun_ : hovered_, steps = forth ? there : back;

@@ -23,7 +23,7 @@ class BridgeTool : public QObject, public ViewTool {
   void set_purpose(Purpose purpose);
 
   /// The soup point of the first of the two vertices; −1 while none is picked.
-  int begun_point() const { return begun_ < 0 ? -1 : seats_[static_cast<std::size_t>(begun_)].soup_point; }
+  int begun_point() const { return begun_ < 0 ? -1 : seats_[begun_].soup_point; }
   bool is_begun() const { return begun_point() >= 0; }
   bool is_hovering() const { return hovered_ >= 0; }
   void clear();

@@ -16,12 +16,11 @@ EdgesBox::EdgesBox(EdgeGuide& guide, QWidget* parent)
       guide_(guide),
       found_(make_note("edgesFound")),
       restore_(make_button("edgesRestore", tr("Restore"), tr("Forget the edges that were drawn and removed"))) {
-  auto* hint = make_note("edgesHint");
-  hint->setText(
+  auto* hint = make_note(
+      "edgesHint",
       tr("The lines are sharp edges that will run on across the selected holes. Click a line to remove it, or two "
          "vertices of one boundary to draw an edge between them. Then fill."));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(hint);
   layout->addWidget(found_);
   layout->addWidget(restore_, 0, Qt::AlignLeft);

@@ -4,9 +4,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include <algorithm>
-#include <cmath>
-
 namespace loopmend {
 namespace {
 
@@ -58,7 +55,7 @@ bool EdgesTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space)
   if (ends_.mouse(act, event, space) && act == Act::press) return true;
   hovered_ = ends_.is_hovering() || ends_.is_begun() ? -1 : edge_at(event.localPos(), space);
   if (act != Act::press || hovered_ < 0 || event.button() != Qt::LeftButton) return act == Act::hover;
-  const EdgeGuide::Edge edge = guide_.edges()[static_cast<std::size_t>(std::exchange(hovered_, -1))];
+  const EdgeGuide::Edge edge = guide_.edges()[std::exchange(hovered_, -1)];
   guide_.remove(edge);
   return true;
 }

@@ -25,15 +25,13 @@ MeasureBox::MeasureBox(const Document& document, MeasureTool& tool, QWidget* par
       distance_(new QLabel),
       parts_(make_note("measureParts")),
       copy_(make_button("measureCopy", tr("Copy"), tr("Copy the distance to the clipboard"))) {
-  auto* hint = make_note("measureHint");
-  hint->setText(tr(
-      "Click two points of a surface: the nearest vertices are taken. Drag beside the surface, or with Shift, to turn "
-      "the picture. Esc begins anew."));
+  auto* hint = make_note("measureHint", tr("Click two points of a surface: the nearest vertices are taken. Drag beside "
+                                           "the surface, or with Shift, to turn "
+                                           "the picture. Esc begins anew."));
   distance_->setObjectName(QStringLiteral("measureDistance"));
   distance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   distance_->setAccessibleName(tr("Distance"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(hint);
   layout->addWidget(distance_);
   layout->addWidget(parts_);

@@ -17,23 +17,20 @@ MirrorBox::MirrorBox(const Document& document, MirrorGuide& guide, QWidget* pare
       document_(document),
       guide_(guide),
       plane_(new QComboBox),
-      use_(new QCheckBox(tr("Copy where the image fits"))),
+      use_(make_option<QCheckBox>(
+          "mirrorUse", tr("Copy where the image fits"),
+          tr("Holes of this scan are filled by a copy of the other side where the image fits; the others as ever"))),
       fits_(make_note("mirrorFits")) {
-  auto* hint = make_note("mirrorHint");
-  hint->setText(tr(
-      "The plane is that of the best mirror image of the scan. Drag the blue dot to move it, a white one to turn it. "
-      "Holes that the image fits show what would be copied."));
-  plane_->setObjectName(QStringLiteral("mirrorPlane"));
-  explain(plane_, tr("Plane"), tr("The planes that were found, the best first, or the one that was dragged"));
-  use_->setObjectName(QStringLiteral("mirrorUse"));
-  explain(use_, tr("Copy where the image fits"),
-          tr("Holes of this scan are filled by a copy of the other side where the image fits; the others as ever"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* hint = make_note("mirrorHint", tr("The plane is that of the best mirror image of the scan. Drag the blue dot "
+                                          "to move it, a white one to turn it. "
+                                          "Holes that the image fits show what would be copied."));
+  explain(plane_, "mirrorPlane", tr("Plane"),
+          tr("The planes that were found, the best first, or the one that was dragged"));
+  auto* layout = make_layout<QVBoxLayout>(this);
   for (QWidget* widget : std::initializer_list<QWidget*>{hint, plane_, fits_, use_}) layout->addWidget(widget);
   connect(plane_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     if (index >= static_cast<int>(guide_.planes().size())) return;
-    guide_.move_plane(guide_.planes()[static_cast<std::size_t>(index)]);
+    guide_.move_plane(guide_.planes()[index]);
     guide_.let_go();
   });
   connect(use_, &QCheckBox::toggled, this,

@@ -5,11 +5,7 @@
 #include "jobs/mirror_guide.h"
 #include "tools/view_tool.h"
 
-#include <QPolygonF>
-
 #include <Eigen/Geometry>
-
-#include <array>
 
 namespace loopmend {
 

@@ -5,7 +5,6 @@
 
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QPolygonF>
 
 #include <Eigen/LU>
@@ -128,17 +127,17 @@ PartTool::Handle PartTool::handle_at(const QPointF& at, const ViewSpace& space) 
   const std::array<Handle, 3> moves{Handle::move_x, Handle::move_y, Handle::move_z},
       turns{Handle::turn_x, Handle::turn_y, Handle::turn_z};
   for (int axis = 0; axis < 3; ++axis) {
-    const double d = distance_to_segment(at, m, grip(moves[static_cast<std::size_t>(axis)], space));
+    const double d = distance_to_segment(at, m, grip(moves[axis], space));
     if (d < best_distance) {
       best_distance = d;
-      best = moves[static_cast<std::size_t>(axis)];
+      best = moves[axis];
     }
     const std::vector<QPointF> line = ring(axis, space);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       const double r = distance_to_segment(at, line[i], line[i + 1]);
       if (r >= best_distance) continue;
       best_distance = r;
-      best = turns[static_cast<std::size_t>(axis)];
+      best = turns[axis];
     }
   }
   return best;

@@ -13,8 +13,6 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 
-#include <cmath>
-
 namespace loopmend {
 namespace {
 
@@ -28,34 +26,27 @@ PointsBox::PointsBox(const Document& document, PointsTool& tool, QWidget* parent
       document_(document),
       tool_(tool),
       scan_(new QComboBox),
-      all_(new QRadioButton(tr("All vertices"))),
-      picked_(new QRadioButton(tr("Only those I pick"))),
+      all_(make_option<QRadioButton>("pointsAll", tr("All vertices"), tr("The surface runs through every vertex"))),
+      picked_(
+          make_option<QRadioButton>("pointsPicked", tr("Only those I pick"),
+                                    tr("Click vertices in the picture, or draw a box around them; Ctrl takes away"))),
       clear_(make_button("pointsClear", tr("Clear"), tr("No vertex is picked"))),
       subdivide_(new QSpinBox),
-      open_(new QCheckBox(tr("Smooth boundaries"))),
+      open_(make_option<QCheckBox>(
+          "pointsOpen", tr("Smooth boundaries"),
+          tr("For a polyhedron with holes: its boundaries become smooth curves through their vertices"))),
       count_(make_note("pointsCount")),
       size_(make_note("pointsSize")) {
-  auto* hint = make_note("pointsHint");
-  hint->setText(
+  auto* hint = make_note(
+      "pointsHint",
       tr("A smooth surface through the vertices of a polyhedron. Open or drop one; its faces are divided, and "
          "the flow finds the rest."));
-  scan_->setObjectName(QStringLiteral("pointsScan"));
-  explain(scan_, tr("Polyhedron"), tr("Which of the open surfaces is meant"));
-  all_->setObjectName(QStringLiteral("pointsAll"));
-  picked_->setObjectName(QStringLiteral("pointsPicked"));
-  explain(all_, tr("All vertices"), tr("The surface runs through every vertex"));
-  explain(picked_, tr("Only those I pick"),
-          tr("Click vertices in the picture, or draw a box around them; Ctrl takes away"));
+  explain(scan_, "pointsScan", tr("Polyhedron"), tr("Which of the open surfaces is meant"));
   all_->setChecked(true);
-  subdivide_->setObjectName(QStringLiteral("pointsSubdivide"));
   subdivide_->setRange(1, 8);
   subdivide_->setValue(3);
-  explain(subdivide_, tr("Subdivisions"), tr("Every one makes four triangles of each"));
-  open_->setObjectName(QStringLiteral("pointsOpen"));
-  explain(open_, tr("Smooth boundaries"),
-          tr("For a polyhedron with holes: its boundaries become smooth curves through their vertices"));
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
+  explain(subdivide_, "pointsSubdivide", tr("Subdivisions"), tr("Every one makes four triangles of each"));
+  auto* form = make_layout<QFormLayout>(this);
   form->setVerticalSpacing(6);
   form->addRow(hint);
   form->addRow(scan_);

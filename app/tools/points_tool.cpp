@@ -98,10 +98,9 @@ bool PointsTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
   const char wanted = !event.modifiers().testFlag(Qt::ControlModifier);
   if (std::exchange(boxing_, false)) {
     const QRectF box = QRectF(pressed_, at_).normalized();
-    for (int v : points_.within(space, QPolygonF(box), ScreenPoints::Hidden::taken))
-      fixed_[static_cast<std::size_t>(v)] = wanted;
+    for (int v : points_.within(space, QPolygonF(box), ScreenPoints::Hidden::taken)) fixed_[v] = wanted;
   } else if (const int v = points_.nearest(space, at_, pick_reach); v >= 0) {
-    char& one = fixed_[static_cast<std::size_t>(v)];
+    char& one = fixed_[v];
     one = !one;
   }
   Q_EMIT changed();
@@ -115,7 +114,7 @@ void PointsTool::paint(QPainter& painter, const ViewSpace& space) {
   for (int i = 0; i < points_.count(); ++i) {
     const QPointF at = points_.on_screen(space, i);
     if (!std::isfinite(at.x()) || !points_.is_seen(space, i)) continue;
-    const bool fixed = choice_ == Choice::all || fixed_[static_cast<std::size_t>(i)];
+    const bool fixed = choice_ == Choice::all || fixed_[i];
     painter.setPen(QPen(ink, i == hovered_ ? 2.2 : 1.1));
     painter.setBrush(fixed ? held : loose);
     const double radius = i == hovered_ ? 6.5 : fixed ? 4.5 : 3.5;

@@ -13,26 +13,18 @@
 #include <QSlider>
 
 namespace loopmend {
-namespace {
-
-QRadioButton* radio(const char* name, const QString& text, const QString& help) {
-  auto* button = new QRadioButton(text);
-  button->setObjectName(QLatin1String(name));
-  explain(button, QString(text).remove(QLatin1Char('&')), help);
-  return button;
-}
-
-}  // namespace
 
 RegionBox::RegionBox(RegionTool& tool, QWidget* parent)
     : QWidget(parent),
       tool_(tool),
-      brush_(radio("regionBrush", tr("Brush"), tr("Paint the region with the left button"))),
-      lasso_(radio("regionLasso", tr("Lasso"), tr("Draw an outline around the region"))),
-      add_(radio("regionAdd", tr("Add"), tr("What is painted joins the region; Ctrl takes away"))),
-      erase_(radio("regionErase", tr("Take away"), tr("What is painted leaves the region; Ctrl adds"))),
+      brush_(make_option<QRadioButton>("regionBrush", tr("Brush"), tr("Paint the region with the left button"))),
+      lasso_(make_option<QRadioButton>("regionLasso", tr("Lasso"), tr("Draw an outline around the region"))),
+      add_(make_option<QRadioButton>("regionAdd", tr("Add"), tr("What is painted joins the region; Ctrl takes away"))),
+      erase_(make_option<QRadioButton>("regionErase", tr("Take away"),
+                                       tr("What is painted leaves the region; Ctrl adds"))),
       radius_(new QSlider(Qt::Horizontal)),
-      hidden_(new QCheckBox(tr("Also what is hidden"))),
+      hidden_(make_option<QCheckBox>("regionHidden", tr("Also what is hidden"),
+                                     tr("The lasso takes what lies behind the surface as well"))),
       radius_title_(new QLabel(tr("Width of the brush"))),
       count_(make_note("regionCount")),
       grow_(make_button("regionGrow", tr("Grow"), tr("One ring of triangles more"))),
@@ -44,16 +36,13 @@ RegionBox::RegionBox(RegionTool& tool, QWidget* parent)
                           tr("Take the painted faces away, a spike or a bump, and fill and smooth the hole that this "
                              "makes; one Ctrl+Z brings them back"))) {
   for (QPushButton* button : {grow_, shrink_, clear_}) button->setMinimumWidth(40);
-  auto* hint = make_note("regionHint");
-  hint->setText(
+  auto* hint = make_note(
+      "regionHint",
       tr("Paint what shall become smooth, or be erased; everything else is held. Drag beside the surface, or with "
          "Shift, to turn the picture."));
-  radius_->setObjectName(QStringLiteral("regionRadius"));
   radius_->setRange(4, 120);
   radius_->setValue(24);
-  explain(radius_, tr("Width of the brush"), tr("How wide the brush is on the screen"));
-  hidden_->setObjectName(QStringLiteral("regionHidden"));
-  explain(hidden_, tr("Also what is hidden"), tr("The lasso takes what lies behind the surface as well"));
+  explain(radius_, "regionRadius", tr("Width of the brush"), tr("How wide the brush is on the screen"));
   auto* means = new QButtonGroup(this);
   means->addButton(brush_);
   means->addButton(lasso_);
@@ -62,8 +51,7 @@ RegionBox::RegionBox(RegionTool& tool, QWidget* parent)
   effect->addButton(erase_);
   brush_->setChecked(true);
   add_->setChecked(true);
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = make_layout<QGridLayout>(this);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(6);
   grid->addWidget(hint, 0, 0, 1, 6);

@@ -59,8 +59,8 @@ void RegionTool::take_surface() {
       for (int i = 0; i < patch.free_count; ++i) soup_.push_back(next_point++);
       unseen.resize(soup_.size(), visibility_.is_hidden_patch(open));
       for (int t = 0; t < patch.patch_triangles; ++t)
-        for (int v : patch.triangles[static_cast<std::size_t>(t)])
-          triangles_.push_back(v < patch.free_count ? own + v : first + patch.view_vertex[static_cast<std::size_t>(v)]);
+        for (int v : patch.triangles[t])
+          triangles_.push_back(v < patch.free_count ? own + v : first + patch.view_vertex[v]);
     }
     scan_of_.resize(soup_.size(), index);
   }
@@ -151,17 +151,17 @@ void RegionTool::set_vertices(int scan, const std::vector<int>& points) {
   recount();
 }
 
-std::shared_ptr<const SurfaceShape> RegionTool::shape() const {
+SurfaceShapePtr RegionTool::shape() const {
   if (chosen_count_ == 0) return nullptr;
   auto shape = std::make_shared<SurfaceShape>();
   std::vector<int> number(chosen_.size(), -1), corners;
   for (std::size_t t = 0; t + 2 < triangles_.size(); t += 3) {
     bool moves = false;
-    for (std::size_t k = 0; k < 3; ++k) moves = moves || chosen_[static_cast<std::size_t>(triangles_[t + k])];
+    for (std::size_t k = 0; k < 3; ++k) moves = moves || chosen_[triangles_[t + k]];
     if (!moves) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const int v = triangles_[t + k];
-      int& n = number[static_cast<std::size_t>(v)];
+      int& n = number[v];
       if (n < 0) {
         n = static_cast<int>(shape->points.size() / 3);
         const Eigen::Vector3f p = points_.point(v);

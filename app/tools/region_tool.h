@@ -35,7 +35,7 @@ class RegionTool : public QObject, public ViewTool {
   void set_vertices(int scan, const std::vector<int>& points);
   int count() const { return chosen_count_; }
   /// The triangles that would move; null where there are none.
-  std::shared_ptr<const SurfaceShape> shape() const;
+  SurfaceShapePtr shape() const;
 
   bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) override;
   void paint(QPainter& painter, const ViewSpace& space) override;

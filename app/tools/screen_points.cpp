@@ -27,15 +27,14 @@ void ScreenPoints::project(const ViewSpace& space) {
   width_ = space.width;
   height_ = space.height;
   pixels_.resize(static_cast<std::size_t>(count()));
-  for (int i = 0; i < count(); ++i)
-    pixels_[static_cast<std::size_t>(i)] = space.to_screen(point(i).cast<double>()).cast<float>();
+  for (int i = 0; i < count(); ++i) pixels_[i] = space.to_screen(point(i).cast<double>()).cast<float>();
   for (std::size_t i = 0; i < unseen_.size(); ++i)
     if (unseen_[i]) pixels_[i].z() = -1;  // as if it were behind the eye
 }
 
 bool ScreenPoints::is_seen(const ViewSpace& space, int i) {
   project(space);
-  const Eigen::Vector3f& p = pixels_[static_cast<std::size_t>(i)];
+  const Eigen::Vector3f& p = pixels_[i];
   if (p.z() < 0) return false;
   constexpr int around = 2;  // pixels: a surface that is seen at a slant is deeper beside its vertex
   constexpr float slack = 3e-4F;
@@ -54,7 +53,7 @@ std::vector<int> ScreenPoints::under_brush(const ViewSpace& space, const QPointF
   const float length2 = std::max(1e-6F, way.squaredNorm()), r2 = static_cast<float>(std::pow(reach * space.ratio, 2));
   std::vector<int> found;
   for (int i = 0; i < count(); ++i) {
-    const Eigen::Vector2f to = pixels_[static_cast<std::size_t>(i)].head<2>() - from;
+    const Eigen::Vector2f to = pixels_[i].head<2>() - from;
     const float t = std::clamp(to.dot(way) / length2, 0.0F, 1.0F);
     if ((to - t * way).squaredNorm() <= r2 && is_seen(space, i)) found.push_back(i);
   }
@@ -66,7 +65,7 @@ std::vector<int> ScreenPoints::within(const ViewSpace& space, const QPolygonF& o
   const QRectF box = outline.boundingRect();
   std::vector<int> found;
   for (int i = 0; i < count(); ++i) {
-    const Eigen::Vector3f& p = pixels_[static_cast<std::size_t>(i)];
+    const Eigen::Vector3f& p = pixels_[i];
     const QPointF at(p.x() / space.ratio, p.y() / space.ratio);
     if (p.z() < 0 || !box.contains(at) || !outline.containsPoint(at, Qt::OddEvenFill)) continue;
     if (hidden == Hidden::taken || is_seen(space, i)) found.push_back(i);
@@ -79,7 +78,7 @@ int ScreenPoints::nearest(const ViewSpace& space, const QPointF& at, double reac
   int best = -1;
   double best_distance = reach * space.ratio;
   for (int i = 0; i < count(); ++i) {
-    const Eigen::Vector3f& p = pixels_[static_cast<std::size_t>(i)];
+    const Eigen::Vector3f& p = pixels_[i];
     const double distance = std::hypot(p.x() - at.x() * space.ratio, p.y() - at.y() * space.ratio);
     if (p.z() < 0 || distance >= best_distance || !is_seen(space, i)) continue;
     best_distance = distance;
@@ -90,7 +89,7 @@ int ScreenPoints::nearest(const ViewSpace& space, const QPointF& at, double reac
 
 QPointF ScreenPoints::on_screen(const ViewSpace& space, int i) {
   project(space);
-  const Eigen::Vector3f& p = pixels_[static_cast<std::size_t>(i)];
+  const Eigen::Vector3f& p = pixels_[i];
   if (p.z() < 0) return {std::numeric_limits<double>::quiet_NaN(), 0};
   return {p.x() / space.ratio, p.y() / space.ratio};
 }

@@ -55,21 +55,22 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
   choice("toolMirror", tr("Mirror"), tr("See the plane of symmetry, and what its image would fill (Shift+M)"),
          Tool::mirror);
   choice("toolMeasure", tr("Distance"), tr("The distance between two vertices (D)"), Tool::measure);
-  auto* none = make_note("toolsHint");
-  none->setText(tr(
-      "Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
-      "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Fill part closes "
-      "a hole between two of its vertices; Edges shows where sharp edges run on; Mirror what the other side of the "
-      "scan would fill; Distance measures between two "
-      "vertices."));
+  auto* none = make_note(
+      "toolsHint",
+      tr("Choose a tool. Region makes a part of a surface smooth; Points finds a surface through the vertices "
+         "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Fill part "
+         "closes "
+         "a hole between two of its vertices; Edges shows where sharp edges run on; Mirror what the other side of the "
+         "scan would fill; Distance measures between two "
+         "vertices."));
   none->setAlignment(Qt::AlignTop);
-  auto* bridge = make_note("bridgeHint");
-  bridge->setText(
+  auto* bridge = make_note(
+      "bridgeHint",
       tr("Click two vertices of a boundary. A strip of surface is laid between them, at once; Ctrl+Z takes it back. On "
          "one loop it makes two simpler holes. Between two loops it joins them into one."));
   bridge->setAlignment(Qt::AlignTop);
-  auto* fill_part = make_note("fillPartHint");
-  fill_part->setText(
+  auto* fill_part = make_note(
+      "fillPartHint",
       tr("Click two vertices of one hole. A bridge is laid between them, and the marked part of the hole is filled and "
          "smoothed: the shorter one, or with Ctrl the longer one. One Ctrl+Z takes all of it back."));
   fill_part->setAlignment(Qt::AlignTop);

@@ -52,9 +52,8 @@ void CandidateBinder::show_looked_at() {
     view_.show_instead({}, {});
     return;
   }
-  std::vector<std::shared_ptr<const SurfaceShape>> shapes;
-  for (const OpenPatch& patch : candidates_.candidates()[static_cast<std::size_t>(index)].patches)
-    shapes.push_back(patch.state->shape);
+  std::vector<SurfaceShapePtr> shapes;
+  for (const OpenPatch& patch : candidates_.candidates()[index].patches) shapes.push_back(patch.state->shape);
   view_.show_instead(candidates_.loops(), shapes);
 }
 
@@ -89,7 +88,7 @@ void CandidateBinder::draw_next() {
   CandidateCard* card = panel_.card(kind);
   for (const Candidate& candidate : candidates_.candidates()) {
     if (candidate.kind != kind || !card) continue;
-    std::vector<std::shared_ptr<const SurfaceShape>> shapes;
+    std::vector<SurfaceShapePtr> shapes;
     for (const OpenPatch& patch : candidate.patches) shapes.push_back(patch.state->shape);
     card->set_picture(pictures_->draw(shapes, card->picture_size(), card->devicePixelRatioF()));
   }

@@ -98,8 +98,7 @@ void CandidatePictures::set(const Setting& setting) {
   scene.set_background(setting.dark ? MeshScene::Background::dark : MeshScene::Background::light);
 }
 
-QImage CandidatePictures::draw(const std::vector<std::shared_ptr<const SurfaceShape>>& patches, const QSize& size,
-                               double ratio) {
+QImage CandidatePictures::draw(const std::vector<SurfaceShapePtr>& patches, const QSize& size, double ratio) {
   if (!impl_->usable || size.isEmpty()) return {};
   impl_->make_current();
   MeshScene& scene = *impl_->scene;

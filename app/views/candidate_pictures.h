@@ -20,7 +20,7 @@ class CandidatePictures {
 
   /// What all of the pictures have in common.
   struct Setting {
-    std::shared_ptr<const SurfaceShape> neighborhood;
+    SurfaceShapePtr neighborhood;
     std::vector<std::vector<float>> loops;  ///< lines, 3 × #V each, in the scene's frame
     Look look;
     double half_width = 1;  ///< of the colour range, in force instead of the look's own
@@ -30,7 +30,7 @@ class CandidatePictures {
   void set(const Setting& setting);
   /// @param size  device pixels. @param ratio  of these to logical ones
   /// @returns a null picture where the graphics cannot draw.
-  QImage draw(const std::vector<std::shared_ptr<const SurfaceShape>>& patches, const QSize& size, double ratio);
+  QImage draw(const std::vector<SurfaceShapePtr>& patches, const QSize& size, double ratio);
 
  private:
   struct Impl;

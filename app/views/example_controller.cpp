@@ -25,14 +25,10 @@ Tool tool_of(PaperExample::Kind kind) {
 
 ExampleController::ExampleController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts) {}
 
-ExampleController::~ExampleController() {
-  if (job_) job_->cancel();
-}
-
 void ExampleController::open(const QString& id) {
   const PaperExample* example = paper_example(id.toStdString());
   if (!example) return;
-  if (job_) job_->cancel();
+  drop(job_);
   job_ = std::make_shared<Job>(this);
   tasks_.run(
       job_,

@@ -29,7 +29,6 @@ class ExampleController : public QObject {
     Banner& banner;
   };
   ExampleController(const Parts& parts, QObject* parent);
-  ~ExampleController() override;
 
   void open(const QString& id);
   void run(const QString& id);

@@ -86,7 +86,7 @@ FilmSource film_of(MeshView& view, const Document& document, const std::set<int>
   source.seen = view.size();
   source.draw = [&view, film](std::size_t at, const QSize& pixels) {
     constexpr int supersampling = 2;  // the graphics do not smooth edges
-    std::vector<std::shared_ptr<const SurfaceShape>> shapes;
+    std::vector<SurfaceShapePtr> shapes;
     for (const TimelinePtr& timeline : film.timelines)
       shapes.push_back((*timeline)[std::min(at, timeline->size() - 1)]->shape);
     view.show_instead(film.loops, shapes);

@@ -44,9 +44,7 @@ void LoopPicker::set_view(const Eigen::Matrix4d& to_clip, int width, int height)
   }
 }
 
-const std::vector<LoopPicker::Pixel>& LoopPicker::projected(int loop) const {
-  return projected_[static_cast<std::size_t>(loop)];
-}
+const std::vector<LoopPicker::Pixel>& LoopPicker::projected(int loop) const { return projected_[loop]; }
 
 int LoopPicker::pick(double x, double y, double reach, const DepthAt& depth_at) const {
   int best = -1;

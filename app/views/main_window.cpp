@@ -109,8 +109,7 @@ void MainWindow::build_centre() {
   view_ = new MeshView(document_, visibility_, selection_);
   welcome_ = new Welcome;
   auto* middle = new QWidget;
-  auto* column = new QVBoxLayout(middle);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = make_layout<QVBoxLayout>(middle);
   auto* pages = new QWidget;
   // All at once, one over the other: the graphics start while the person still reads the welcome.
   centre_ = new QStackedLayout(pages);

@@ -175,41 +175,18 @@ void MainWindow::update_actions() {
   a["redo"]->setEnabled(idle && undo_.can_redo());
   a["undo"]->setText(undo_.can_undo() ? tr("&Undo: %1").arg(undo_.undo_text()) : tr("&Undo"));
   a["redo"]->setText(undo_.can_redo() ? tr("&Redo: %1").arg(undo_.redo_text()) : tr("&Redo"));
-  for (const char* name : {"export", "saveSession", "saveSessionAs"}) a[name]->setEnabled(idle && scan);
-  for (const char* name : {"add",
-                           "compare",
-                           "toolRegionAction",
-                           "toolPointsAction",
-                           "toolBlendAction",
-                           "toolBridgeAction",
-                           "toolFillPartAction",
-                           "toolEdgesAction",
-                           "toolMirrorAction",
-                           "toolMeasureAction",
-                           "clip",
-                           "screenshot",
-                           "frame",
-                           "hidePiece",
-                           "isolatePiece",
-                           "probe",
-                           "wireframe",
-                           "seams",
-                           "selectAll",
-                           "nextHole",
-                           "previousHole",
-                           "curvature",
-                           "gaussian",
-                           "plain",
-                           "zebra",
-                           "isophotes"})
-    a[name]->setEnabled(scan);
+  for (QAction* action : a.all("export saveSession saveSessionAs")) action->setEnabled(idle && scan);
+  for (QAction* action : a.all("add compare toolRegionAction toolPointsAction toolBlendAction toolBridgeAction "
+                               "toolFillPartAction toolEdgesAction toolMirrorAction toolMeasureAction clip screenshot "
+                               "frame orthographic hidePiece isolatePiece probe wireframe seams selectAll nextHole "
+                               "previousHole curvature gaussian plain zebra isophotes"))
+    action->setEnabled(scan);
   a["film"]->setEnabled(idle && has_film(document_, chosen_patches(document_, selection_)));
   a["report"]->setEnabled(idle && !document_.patches().empty());
   a["scanColors"]->setEnabled(has_scan_colors_);
   const std::vector<OpenPatch>& patches = document_.patches();
   a["deviation"]->setEnabled(std::any_of(
       patches.begin(), patches.end(), [](const OpenPatch& patch) { return !patch.state->shape->deviation.empty(); }));
-  a["orthographic"]->setEnabled(scan);
   a["showPieces"]->setEnabled(visibility_.hidden_count() > 0);
   for (const auto& [name, side] : sides) a[name]->setEnabled(scan);
   const auto follow = [this](const char* action, const char* button) {

@@ -65,8 +65,7 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   impl_->canvas->setMouseTracking(true);
   impl_->canvas->setFocusPolicy(Qt::StrongFocus);
   impl_->canvas->installEventFilter(this);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = make_layout<QVBoxLayout>(this);
   layout->addWidget(impl_->canvas);
   impl_->overlay = new ViewOverlay(this);
   impl_->sheet = new ToolSheet(this, [this](QPainter& painter) {
@@ -297,16 +296,15 @@ void MeshView::update_legend_words() {
   impl_->scene.set_legend_words(words);
 }
 
-void MeshView::show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts) {
+void MeshView::show_ghosts(const std::vector<SurfaceShapePtr>& ghosts) {
   impl_->scene.set_ghosts(ghosts);
   redraw();
 }
 
-void MeshView::show_instead(const std::set<int>& loops,
-                            const std::vector<std::shared_ptr<const SurfaceShape>>& shapes) {
+void MeshView::show_instead(const std::set<int>& loops, const std::vector<SurfaceShapePtr>& shapes) {
   if (loops == impl_->hidden_loops && shapes == impl_->instead) return;
   impl_->hidden_loops = loops;
-  impl_->instead = loops.empty() ? std::vector<std::shared_ptr<const SurfaceShape>>() : shapes;
+  impl_->instead = loops.empty() ? std::vector<SurfaceShapePtr>() : shapes;
   show_surfaces();
   redraw();
 }
@@ -316,12 +314,12 @@ std::vector<float> MeshView::line_of_loop(int loop) const {
   return line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
 }
 
-void MeshView::show_marked(std::shared_ptr<const SurfaceShape> shape) {
+void MeshView::show_marked(SurfaceShapePtr shape) {
   impl_->scene.set_marked(std::move(shape));
   redraw();
 }
 
-void MeshView::show_preview(std::shared_ptr<const SurfaceShape> shape) {
+void MeshView::show_preview(SurfaceShapePtr shape) {
   if (!std::exchange(impl_->preview_shown, true)) impl_->pose_before = pose_of(impl_->camera());
   impl_->scene.clear();
   impl_->picker.set_loops({});
@@ -351,9 +349,7 @@ void MeshView::on_scans_changed() {
   update_colors();
   std::vector<std::vector<float>> lines(document.loops().size());
   for (int loop = 0; loop < document.loop_count(); ++loop)
-    if (impl_->shows(loop))
-      lines[static_cast<std::size_t>(loop)] =
-          line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
+    if (impl_->shows(loop)) lines[loop] = line_of(*document.scan(document.scan_of(loop))->shape, document.loop(loop));
   impl_->picker.set_loops(std::move(lines));
   impl_->loop_styles.clear();
   impl_->seen_camera = 0;
@@ -463,7 +459,7 @@ bool MeshView::update_loops() {
   for (int loop = 0; loop < document.loop_count(); ++loop) {
     if (!impl_->shows(loop)) continue;
     const auto scan = document.scan(document.scan_of(loop));
-    lines.push_back({line_of(*scan->shape, document.loop(loop)), styles[static_cast<std::size_t>(loop)]});
+    lines.push_back({line_of(*scan->shape, document.loop(loop)), styles[loop]});
   }
   impl_->scene.set_loops(lines);
   return true;

@@ -49,12 +49,12 @@ class MeshView : public QWidget {
   double range_of(int scan) const;
 
   /// A first picture of a scan that is still being opened.
-  void show_preview(std::shared_ptr<const SurfaceShape> shape);
+  void show_preview(SurfaceShapePtr shape);
   void drop_preview();
   /// Patches that are only thought of.
-  void show_ghosts(const std::vector<std::shared_ptr<const SurfaceShape>>& ghosts);
+  void show_ghosts(const std::vector<SurfaceShapePtr>& ghosts);
   /// Other patches in place of what closes these loops, as long as the mouse is over their card; without loops: as it is.
-  void show_instead(const std::set<int>& loops, const std::vector<std::shared_ptr<const SurfaceShape>>& shapes);
+  void show_instead(const std::set<int>& loops, const std::vector<SurfaceShapePtr>& shapes);
   /// The boundary's vertices, in the scene's frame.
   std::vector<float> line_of_loop(int loop) const;
 
@@ -63,7 +63,7 @@ class MeshView : public QWidget {
   /// From where the loop is seen from above. It must be present.
   Viewpoint viewpoint_above(int loop) const;
   /// A part of a surface that was painted; null: none.
-  void show_marked(std::shared_ptr<const SurfaceShape> shape);
+  void show_marked(SurfaceShapePtr shape);
   /// In place of scans and their patches; an empty picture shows these again.
   void show_trial(const ProblemPicture& picture);
   /// Takes the mouse first; null: none. Stays alive as long as it is set.

@@ -64,7 +64,7 @@ struct MeshView::Impl {
   bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
   ProblemPicture trial;
   std::set<int> hidden_loops;  ///< whose patches others are shown for
-  std::vector<std::shared_ptr<const SurfaceShape>> instead;
+  std::vector<SurfaceShapePtr> instead;
   Clipping clipping;
   Vec3 line_of_sight = -Vec3::UnitZ();  ///< when it was chosen to clip across
   ViewTool* tool = nullptr;

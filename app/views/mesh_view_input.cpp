@@ -419,7 +419,7 @@ QImage MeshView::picture(const PictureOptions& options) {
 
 QPoint MeshView::position_of(int loop, int vertex) const {
   impl_->follow_camera();
-  const LoopPicker::Pixel& p = impl_->picker.projected(loop)[static_cast<std::size_t>(vertex)];
+  const LoopPicker::Pixel& p = impl_->picker.projected(loop)[vertex];
   return (QPointF(p.x(), p.y()) / impl_->canvas->devicePixelRatioF()).toPoint();
 }
 

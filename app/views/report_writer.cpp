@@ -115,8 +115,7 @@ void ReportWriter::stop_drawing() {
 
 void ReportWriter::stop() {
   clock_.stop();
-  if (job_) job_->cancel();
-  job_.reset();
+  drop(job_);
   if (progress_) progress_.release()->deleteLater();
   report_ = {};
 }

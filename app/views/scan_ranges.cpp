@@ -3,7 +3,7 @@
 
 namespace loopmend {
 
-double ScanRanges::of(int scan, const std::shared_ptr<const SurfaceShape>& shape, Shading shading, double percent) {
+double ScanRanges::of(int scan, const SurfaceShapePtr& shape, Shading shading, double percent) {
   Entry& entry = entries_[{scan, shading}];
   if (entry.shape != shape || entry.percent != percent) {
     const std::vector<float>& values = values_of(*shape, shading);

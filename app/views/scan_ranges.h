@@ -6,7 +6,6 @@
 #include "scene/surface_shape.h"
 
 #include <map>
-#include <memory>
 
 namespace loopmend {
 
@@ -14,11 +13,11 @@ class ScanRanges {
  public:
   /// @returns the half-width of the range; 0 where no curvature is known.
   /// @param shading  coloured: which curvature
-  double of(int scan, const std::shared_ptr<const SurfaceShape>& shape, Shading shading, double percent);
+  double of(int scan, const SurfaceShapePtr& shape, Shading shading, double percent);
 
  private:
   struct Entry {
-    std::shared_ptr<const SurfaceShape> shape;
+    SurfaceShapePtr shape;
     double percent = 0, half_width = 0;
   };
   std::map<std::pair<int, Shading>, Entry> entries_;

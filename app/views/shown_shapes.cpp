@@ -15,8 +15,8 @@ ShapePtr shown_part(const SurfaceShape& shape, const ScanPieces& pieces, const s
   std::vector<char> left_out(shape.triangles.size() / 3, 0);
   for (std::size_t t = 0; t < left_out.size(); ++t) {
     const int v = shape.triangles[3 * t];
-    const int of_view = shape.view_vertex.empty() ? v : shape.view_vertex[static_cast<std::size_t>(v)];
-    left_out[t] = hidden[static_cast<std::size_t>(pieces.piece_of(of_view))];
+    const int of_view = shape.view_vertex.empty() ? v : shape.view_vertex[v];
+    left_out[t] = hidden[pieces.piece_of(of_view)];
   }
   ShapePtr rest = without_triangles(shape, left_out);
   return rest->triangles.empty() ? nullptr : rest;

@@ -10,7 +10,7 @@ namespace loopmend {
 
 class ShownShapes {
  public:
-  using ShapePtr = std::shared_ptr<const SurfaceShape>;
+  using ShapePtr = SurfaceShapePtr;
   struct Shown {
     ShapePtr whole;               ///< null: all of it is hidden
     std::vector<ShapePtr> parts;  ///< in the scan's own colours

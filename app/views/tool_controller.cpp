@@ -178,7 +178,7 @@ void ToolController::show_region() {
 /// What would be copied into the holes.
 void ToolController::show_mirrored() {
   if (panel_->tool() != Tool::mirror) return;
-  std::vector<std::shared_ptr<const SurfaceShape>> ghosts;
+  std::vector<SurfaceShapePtr> ghosts;
   for (const MirrorGuide::Fit& one : mirror_guide_->fits())
     if (one.ghost) ghosts.push_back(one.ghost);
   view_.show_ghosts(ghosts);
@@ -226,12 +226,17 @@ void ToolController::on_stage() {
   }
 }
 
-ProblemRequest ToolController::region_request() const {
+/// On one scan alone. @param name  with a place for the scan's
+ProblemRequest ToolController::request_on(int scan, const QString& name) const {
   ProblemRequest request;
-  const QString scan = document_.scan(region_->scan())->name;
-  request.name = tr("Region of %1").arg(scan);
-  request.made_name = scan;
-  request.scans = {region_->scan()};
+  request.made_name = document_.scan(scan)->name;
+  request.name = name.arg(request.made_name);
+  request.scans = {scan};
+  return request;
+}
+
+ProblemRequest ToolController::region_request() const {
+  ProblemRequest request = request_on(region_->scan(), tr("Region of %1"));
   request.command = region_words(document_, region_->scan(), region_->vertices());
   request.pose = [vertices = region_->vertices()](const ProblemBase& base, const CancelToken&) {
     return pose_region(base.model, vertices);
@@ -240,11 +245,7 @@ ProblemRequest ToolController::region_request() const {
 }
 
 ProblemRequest ToolController::points_request() const {
-  ProblemRequest request;
-  const QString scan = document_.scan(points_->scan())->name;
-  request.name = tr("Surface through the points of %1").arg(scan);
-  request.made_name = scan;
-  request.scans = {points_->scan()};
+  ProblemRequest request = request_on(points_->scan(), tr("Surface through the points of %1"));
   request.command = points_words(document_, points_->scan(), points_box_->options());
   request.pose = [options = points_box_->options()](const ProblemBase& base, const CancelToken&) {
     return pose_points(base.model, options);

@@ -69,6 +69,7 @@ class ToolController : public QObject {
   ProblemRequest request() const;
   void copy_command();
   void on_placed(int old_scan, int new_scan);
+  ProblemRequest request_on(int scan, const QString& name) const;
   ProblemRequest region_request() const;
   ProblemRequest points_request() const;
   ProblemRequest blend_request() const;

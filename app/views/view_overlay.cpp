@@ -3,7 +3,6 @@
 
 #include <QLocale>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <array>
@@ -187,7 +186,7 @@ void ViewOverlay::paint_axes(QPainter& painter) const {
   const char* const names[] = {"x", "y", "z"};
   for (int axis : far_first) {
     const QPointF way(axes_(0, axis), -axes_(1, axis));
-    QColor color = axis_colors[static_cast<std::size_t>(axis)];
+    QColor color = axis_colors[axis];
     if (axes_(2, axis) < -0.2) color.setAlpha(140);
     painter.setPen(QPen(QColor(255, 255, 255, 110), 4.5, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(middle, middle + axis_length * way);

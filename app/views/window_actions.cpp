@@ -9,200 +9,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include <cstring>
-
 namespace loopmend {
 namespace {
-
-struct Spec {
-  const char* name;
-  const char* text;
-  const char* help;
-  const char* keys;  ///< several are separated by "; "; the first is shown
-  const char* icon;  ///< in resources/icons; may be null
-  enum class Kind { plain, toggle, choice } kind = Kind::plain;
-};
-
-constexpr auto toggle = Spec::Kind::toggle;
-constexpr auto choice = Spec::Kind::choice;
-
-const Spec specs[] = {
-    {"open", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Open\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open a scan or a session"), "Ctrl+O", "open"},
-    {"add", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Add to the scene\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open further scans beside the present ones"), "Ctrl+Shift+O",
-     nullptr},
-    {"sample", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open the sa&mple"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Open a small made-up scan with five holes"), "", nullptr},
-    {"saveSession", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Save session"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep scans and patches as they are, to go on another day"), "Ctrl+S",
-     "save"},
-    {"saveSessionAs", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Save session &as\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Save the session under another name"), "Ctrl+Shift+S", nullptr},
-    {"export", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Export\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write scan and patches to a mesh file"), "Ctrl+E", "export"},
-    {"screenshot", QT_TRANSLATE_NOOP("loopmend::WindowActions", "S&creenshot\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write the picture to a PNG file"), "F12", "camera"},
-    {"film", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Export fil&m\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Write the flow on the selected patches, or on all, as a film (animated GIF)"),
-     "", nullptr},
-    {"report", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write re&port\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Write a page with a picture of each patch, its verdict and what was added (HTML or PDF)"),
-     "", nullptr},
-    {"quit", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Quit"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the window"), "Ctrl+Q", nullptr},
-    {"undo", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Undo"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take back the last change"), "Ctrl+Z", "undo"},
-    {"redo", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Redo"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Do it again"), "Ctrl+Y; Ctrl+Shift+Z", "redo"},
-    {"selectAll", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select &all holes"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select every hole"), "Ctrl+A", nullptr},
-    {"nextHole", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Next hole"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select the next hole of the table and fly there"), "N", nullptr},
-    {"nextToLookAt", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Next to &look at"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Select the next hole whose patch has a fault or a doubt, or that stayed open, and fly there"),
-     "L", nullptr},
-    {"previousHole", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Previous hole"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Select the hole before and fly there"), "Shift+N", nullptr},
-    {"filter", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Filter holes"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Write into the filter of the holes table"), "Ctrl+L", nullptr},
-    {"preferences", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Pre&ferences\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Language, colours, memory, recovery"), "Ctrl+,", nullptr},
-    {"curvature", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Mean curvature"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Colour by mean curvature H"), "1", "curvature", choice},
-    {"gaussian", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Gaussian curvature"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Colour by Gaussian curvature K"), "2", "gaussian", choice},
-    {"plain", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Plain"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "One colour; patches in another"), "3", "plain", choice},
-    {"zebra", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Zebra"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Reflected stripes: kinks show where tangents or curvature jump"),
-     "4", "zebra", choice},
-    {"isophotes", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Isophotes"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Bands of equal brightness"), "5", "isophotes", choice},
-    {"scanColors", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Scan colours"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The scan's own colours or texture"), "6", "palette", choice},
-    {"deviation", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Likely error"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Colour patches by how far each point is likely from what was there"),
-     "7", "deviation", choice},
-    {"wireframe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Wireframe"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw the triangles' edges"), "W", "wireframe", toggle},
-    {"seams", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Boundaries and seams"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Draw boundaries and seams as lines"), "M", "seams", toggle},
-    {"frame", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Frame everything"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the whole scene"), "F", "frame"},
-    {"orthographic", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Orthographic"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Without perspective: what is parallel stays so"), "O", nullptr,
-     toggle},
-    {"clip", QT_TRANSLATE_NOOP("loopmend::WindowActions", "C&lipping plane"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Cut the surfaces open across the line of sight, to see the inside"),
-     "X", nullptr, toggle},
-    {"hidePiece", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Hide piece"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Hide the piece under the mouse, or those of the selected holes; it is filled and exported "
-                       "as before"),
-     "H", nullptr},
-    {"isolatePiece", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Isolate piece"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Hide all other pieces"), "Shift+H", nullptr},
-    {"showPieces", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Sho&w all pieces"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show everything that was hidden"), "Ctrl+H", nullptr},
-    {"lookFront", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Front"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the front"), "Ctrl+1", nullptr},
-    {"lookBack", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Back"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the back"), "Ctrl+2", nullptr},
-    {"lookLeft", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Left"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the left"), "Ctrl+3", nullptr},
-    {"lookRight", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Right"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from the right"), "Ctrl+4", nullptr},
-    {"lookTop", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Top"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from above"), "Ctrl+5", nullptr},
-    {"lookBottom", QT_TRANSLATE_NOOP("loopmend::WindowActions", "B&ottom"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from below"), "Ctrl+6", nullptr},
-    {"probe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Values in the middle"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show the values at the middle of the picture"), "P", nullptr},
-    {"fillAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Fill and smooth"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all, by fair patches"), "Ctrl+F; T",
-     nullptr},
-    {"initialAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Initial &patch only"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Close the selected holes, or all; no flow runs yet"), "Ctrl+Shift+F",
-     nullptr},
-    {"prepareAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Prepare the sca&n"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Stitch, repair and trim where the scan needs that to be filled, and change nothing else"),
-     "", nullptr},
-    {"trimAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Tri&m the boundary"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Remove bad triangles at the boundaries of the selected holes, or of all"),
-     "", nullptr},
-    {"trimCrossingAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Trim crossin&g triangles"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "At the boundaries of the selected holes, or of all, remove only the triangles that run through "
-                       "the surface: no patch could be valid there"),
-     "", nullptr},
-    {"eraseRingAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Erase a ring of faces"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Widen the selected holes by one ring of faces, where they are ragged; once more for another"),
-     "", nullptr},
-    {"stitchAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Stitc&h cracks"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Zip boundaries that nearly coincide"), "", nullptr},
-    {"repairAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Repai&r\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the defects of the scan, and repair them"), "", nullptr},
-    {"stepAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Step"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Take one time step"), "S", nullptr},
-    {"runAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Run or pause"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Smooth, every step shown for a moment"), "Space", nullptr},
-    {"compare", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Compare flows\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Several flows from one start, side by side"), "C", "compare"},
-    {"toolRegionAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Region"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Make a region of a surface smooth, its neighborhood held"), "R",
-     nullptr},
-    {"toolPointsAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Surface through &points"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "A smooth surface through the vertices of a polyhedron"), "I",
-     nullptr},
-    {"toolBlendAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Blend boundaries"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Join two or more boundaries by one patch"), "B", nullptr},
-    {"toolBridgeAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Brid&ge"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part a hole into two by a strip between two of its vertices"), "G",
-     nullptr},
-    {"toolFillPartAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Fill a &part\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Click two vertices of a hole; the part between them is filled"),
-     "Shift+G", nullptr},
-    {"partAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Part where it to&uches itself"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Part the boundary at vertices that it passes twice: what hangs there becomes an island"),
-     "", nullptr},
-    {"toolEdgesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Sharp &edges\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See, remove or draw the sharp edges that run on across holes"),
-     "Shift+E", nullptr},
-    {"toolMirrorAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Mirror image\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "See the plane of symmetry, and what its image would fill"),
-     "Shift+M", nullptr},
-    {"toolMeasureAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Distance"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The distance between two vertices"), "D", nullptr},
-    {"candidatesAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Other patches\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions",
-                       "Compute other patches for the selected hole, see them side by side, take one"),
-     "V", nullptr},
-    {"acceptAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Accept or open again"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Keep the patch as it is, or take it up again"), "A", nullptr},
-    {"rejectAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Discard"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Throw the patch away; the hole is open again"), "Del", nullptr},
-    {"copyAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Copy command line"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Copy the commands that do the same"), "Ctrl+Shift+C", nullptr},
-    {"cancelAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Ca&ncel"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Stop at once; or close a message; or select nothing"), "Esc",
-     nullptr},
-    {"help", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Help"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "How things are done, with pictures"), "F1", nullptr},
-    {"palette", QT_TRANSLATE_NOOP("loopmend::WindowActions", "Find a &command\u2026"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Find any command by typing, and run it"), "Ctrl+K", nullptr},
-    {"shortcuts", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Keyboard shortcuts"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "All keys on one sheet"), "?", nullptr},
-    {"about", QT_TRANSLATE_NOOP("loopmend::WindowActions", "A&bout Loopmend"),
-     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Version and licence"), "", nullptr},
-};
 
 QList<QKeySequence> keys_of(const char* text) {
   QList<QKeySequence> keys;
@@ -211,19 +19,149 @@ QList<QKeySequence> keys_of(const char* text) {
   return keys;
 }
 
+/// A separator for each null.
+void put(QMenu* menu, const QList<QAction*>& actions) {
+  for (QAction* action : actions)
+    if (action)
+      menu->addAction(action);
+    else
+      menu->addSeparator();
+}
+
 }  // namespace
+
+struct WindowActions::Spec {
+  const char* name;
+  const char* text;
+  const char* help;
+  const char* keys = "";       ///< several are separated by "; "; the first is shown
+  const char* icon = nullptr;  ///< in resources/icons; may be null
+  enum Kind { plain, toggle, choice } kind = plain;
+};
+
+/// In the order of the menus.
+const std::vector<WindowActions::Spec>& WindowActions::specs() {
+  static const std::vector<Spec> specs{
+      {"open", QT_TR_NOOP("&Open\u2026"), QT_TR_NOOP("Open a scan or a session"), "Ctrl+O", "open"},
+      {"add", QT_TR_NOOP("&Add to the scene\u2026"), QT_TR_NOOP("Open further scans beside the present ones"),
+       "Ctrl+Shift+O"},
+      {"sample", QT_TR_NOOP("Open the sa&mple"), QT_TR_NOOP("Open a small made-up scan with five holes")},
+      {"saveSession", QT_TR_NOOP("&Save session"),
+       QT_TR_NOOP("Keep scans and patches as they are, to go on another day"), "Ctrl+S", "save"},
+      {"saveSessionAs", QT_TR_NOOP("Save session &as\u2026"), QT_TR_NOOP("Save the session under another name"),
+       "Ctrl+Shift+S"},
+      {"export", QT_TR_NOOP("&Export\u2026"), QT_TR_NOOP("Write scan and patches to a mesh file"), "Ctrl+E", "export"},
+      {"screenshot", QT_TR_NOOP("S&creenshot\u2026"), QT_TR_NOOP("Write the picture to a PNG file"), "F12", "camera"},
+      {"film", QT_TR_NOOP("Export fil&m\u2026"),
+       QT_TR_NOOP("Write the flow on the selected patches, or on all, as a film (animated GIF)")},
+      {"report", QT_TR_NOOP("Write re&port\u2026"),
+       QT_TR_NOOP("Write a page with a picture of each patch, its verdict and what was added (HTML or PDF)")},
+      {"quit", QT_TR_NOOP("&Quit"), QT_TR_NOOP("Close the window"), "Ctrl+Q"},
+      {"undo", QT_TR_NOOP("&Undo"), QT_TR_NOOP("Take back the last change"), "Ctrl+Z", "undo"},
+      {"redo", QT_TR_NOOP("&Redo"), QT_TR_NOOP("Do it again"), "Ctrl+Y; Ctrl+Shift+Z", "redo"},
+      {"selectAll", QT_TR_NOOP("Select &all holes"), QT_TR_NOOP("Select every hole"), "Ctrl+A"},
+      {"nextHole", QT_TR_NOOP("&Next hole"), QT_TR_NOOP("Select the next hole of the table and fly there"), "N"},
+      {"nextToLookAt", QT_TR_NOOP("Next to &look at"),
+       QT_TR_NOOP("Select the next hole whose patch has a fault or a doubt, or that stayed open, and fly there"), "L"},
+      {"previousHole", QT_TR_NOOP("&Previous hole"), QT_TR_NOOP("Select the hole before and fly there"), "Shift+N"},
+      {"filter", QT_TR_NOOP("&Filter holes"), QT_TR_NOOP("Write into the filter of the holes table"), "Ctrl+L"},
+      {"preferences", QT_TR_NOOP("Pre&ferences\u2026"), QT_TR_NOOP("Language, colours, memory, recovery"), "Ctrl+,"},
+      {"curvature", QT_TR_NOOP("&Mean curvature"), QT_TR_NOOP("Colour by mean curvature H"), "1", "curvature",
+       Spec::choice},
+      {"gaussian", QT_TR_NOOP("&Gaussian curvature"), QT_TR_NOOP("Colour by Gaussian curvature K"), "2", "gaussian",
+       Spec::choice},
+      {"plain", QT_TR_NOOP("&Plain"), QT_TR_NOOP("One colour; patches in another"), "3", "plain", Spec::choice},
+      {"zebra", QT_TR_NOOP("&Zebra"), QT_TR_NOOP("Reflected stripes: kinks show where tangents or curvature jump"), "4",
+       "zebra", Spec::choice},
+      {"isophotes", QT_TR_NOOP("&Isophotes"), QT_TR_NOOP("Bands of equal brightness"), "5", "isophotes", Spec::choice},
+      {"scanColors", QT_TR_NOOP("&Scan colours"), QT_TR_NOOP("The scan's own colours or texture"), "6", "palette",
+       Spec::choice},
+      {"deviation", QT_TR_NOOP("&Likely error"),
+       QT_TR_NOOP("Colour patches by how far each point is likely from what was there"), "7", "deviation",
+       Spec::choice},
+      {"wireframe", QT_TR_NOOP("&Wireframe"), QT_TR_NOOP("Draw the triangles' edges"), "W", "wireframe", Spec::toggle},
+      {"seams", QT_TR_NOOP("&Boundaries and seams"), QT_TR_NOOP("Draw boundaries and seams as lines"), "M", "seams",
+       Spec::toggle},
+      {"frame", QT_TR_NOOP("&Frame everything"), QT_TR_NOOP("See the whole scene"), "F", "frame"},
+      {"orthographic", QT_TR_NOOP("&Orthographic"), QT_TR_NOOP("Without perspective: what is parallel stays so"), "O",
+       nullptr, Spec::toggle},
+      {"clip", QT_TR_NOOP("C&lipping plane"),
+       QT_TR_NOOP("Cut the surfaces open across the line of sight, to see the inside"), "X", nullptr, Spec::toggle},
+      {"hidePiece", QT_TR_NOOP("&Hide piece"),
+       QT_TR_NOOP("Hide the piece under the mouse, or those of the selected holes; it is filled and exported "
+                  "as before"),
+       "H"},
+      {"isolatePiece", QT_TR_NOOP("&Isolate piece"), QT_TR_NOOP("Hide all other pieces"), "Shift+H"},
+      {"showPieces", QT_TR_NOOP("Sho&w all pieces"), QT_TR_NOOP("Show everything that was hidden"), "Ctrl+H"},
+      {"lookFront", QT_TR_NOOP("&Front"), QT_TR_NOOP("See everything from the front"), "Ctrl+1"},
+      {"lookBack", QT_TR_NOOP("&Back"), QT_TR_NOOP("See everything from the back"), "Ctrl+2"},
+      {"lookLeft", QT_TR_NOOP("&Left"), QT_TR_NOOP("See everything from the left"), "Ctrl+3"},
+      {"lookRight", QT_TR_NOOP("&Right"), QT_TR_NOOP("See everything from the right"), "Ctrl+4"},
+      {"lookTop", QT_TR_NOOP("&Top"), QT_TR_NOOP("See everything from above"), "Ctrl+5"},
+      {"lookBottom", QT_TR_NOOP("B&ottom"), QT_TR_NOOP("See everything from below"), "Ctrl+6"},
+      {"probe", QT_TR_NOOP("&Values in the middle"), QT_TR_NOOP("Show the values at the middle of the picture"), "P"},
+      {"fillAction", QT_TR_NOOP("&Fill and smooth"), QT_TR_NOOP("Close the selected holes, or all, by fair patches"),
+       "Ctrl+F; T"},
+      {"initialAction", QT_TR_NOOP("Initial &patch only"),
+       QT_TR_NOOP("Close the selected holes, or all; no flow runs yet"), "Ctrl+Shift+F"},
+      {"prepareAction", QT_TR_NOOP("Prepare the sca&n"),
+       QT_TR_NOOP("Stitch, repair and trim where the scan needs that to be filled, and change nothing else")},
+      {"trimAction", QT_TR_NOOP("Tri&m the boundary"),
+       QT_TR_NOOP("Remove bad triangles at the boundaries of the selected holes, or of all")},
+      {"trimCrossingAction", QT_TR_NOOP("Trim crossin&g triangles"),
+       QT_TR_NOOP("At the boundaries of the selected holes, or of all, remove only the triangles that run through "
+                  "the surface: no patch could be valid there")},
+      {"eraseRingAction", QT_TR_NOOP("&Erase a ring of faces"),
+       QT_TR_NOOP("Widen the selected holes by one ring of faces, where they are ragged; once more for another")},
+      {"stitchAction", QT_TR_NOOP("Stitc&h cracks"), QT_TR_NOOP("Zip boundaries that nearly coincide")},
+      {"repairAction", QT_TR_NOOP("Repai&r\u2026"), QT_TR_NOOP("See the defects of the scan, and repair them")},
+      {"stepAction", QT_TR_NOOP("&Step"), QT_TR_NOOP("Take one time step"), "S"},
+      {"runAction", QT_TR_NOOP("&Run or pause"), QT_TR_NOOP("Smooth, every step shown for a moment"), "Space"},
+      {"compare", QT_TR_NOOP("&Compare flows\u2026"), QT_TR_NOOP("Several flows from one start, side by side"), "C",
+       "compare"},
+      {"toolRegionAction", QT_TR_NOOP("&Region"),
+       QT_TR_NOOP("Make a region of a surface smooth, its neighborhood held"), "R"},
+      {"toolPointsAction", QT_TR_NOOP("Surface through &points"),
+       QT_TR_NOOP("A smooth surface through the vertices of a polyhedron"), "I"},
+      {"toolBlendAction", QT_TR_NOOP("&Blend boundaries"), QT_TR_NOOP("Join two or more boundaries by one patch"), "B"},
+      {"toolBridgeAction", QT_TR_NOOP("Brid&ge"),
+       QT_TR_NOOP("Part a hole into two by a strip between two of its vertices"), "G"},
+      {"toolFillPartAction", QT_TR_NOOP("Fill a &part\u2026"),
+       QT_TR_NOOP("Click two vertices of a hole; the part between them is filled"), "Shift+G"},
+      {"partAction", QT_TR_NOOP("Part where it to&uches itself"),
+       QT_TR_NOOP("Part the boundary at vertices that it passes twice: what hangs there becomes an island")},
+      {"toolEdgesAction", QT_TR_NOOP("Sharp &edges\u2026"),
+       QT_TR_NOOP("See, remove or draw the sharp edges that run on across holes"), "Shift+E"},
+      {"toolMirrorAction", QT_TR_NOOP("&Mirror image\u2026"),
+       QT_TR_NOOP("See the plane of symmetry, and what its image would fill"), "Shift+M"},
+      {"toolMeasureAction", QT_TR_NOOP("&Distance"), QT_TR_NOOP("The distance between two vertices"), "D"},
+      {"candidatesAction", QT_TR_NOOP("&Other patches\u2026"),
+       QT_TR_NOOP("Compute other patches for the selected hole, see them side by side, take one"), "V"},
+      {"acceptAction", QT_TR_NOOP("&Accept or open again"), QT_TR_NOOP("Keep the patch as it is, or take it up again"),
+       "A"},
+      {"rejectAction", QT_TR_NOOP("&Discard"), QT_TR_NOOP("Throw the patch away; the hole is open again"), "Del"},
+      {"copyAction", QT_TR_NOOP("&Copy command line"), QT_TR_NOOP("Copy the commands that do the same"),
+       "Ctrl+Shift+C"},
+      {"cancelAction", QT_TR_NOOP("Ca&ncel"), QT_TR_NOOP("Stop at once; or close a message; or select nothing"), "Esc"},
+      {"help", QT_TR_NOOP("&Help"), QT_TR_NOOP("How things are done, with pictures"), "F1"},
+      {"palette", QT_TR_NOOP("Find a &command\u2026"), QT_TR_NOOP("Find any command by typing, and run it"), "Ctrl+K"},
+      {"shortcuts", QT_TR_NOOP("&Keyboard shortcuts"), QT_TR_NOOP("All keys on one sheet"), "?"},
+      {"about", QT_TR_NOOP("A&bout Loopmend"), QT_TR_NOOP("Version and licence")},
+  };
+  return specs;
+}
 
 WindowActions::WindowActions(QMainWindow* window) : QObject(window), window_(window) {
   auto* choices = new QActionGroup(this);
-  for (const Spec& spec : specs) {
+  for (const Spec& spec : specs()) {
     auto* action = new QAction(tr(spec.text), window);
     action->setObjectName(QLatin1String(spec.name));
     action->setShortcuts(keys_of(spec.keys));
     const QString shown = action->shortcut().toString(QKeySequence::NativeText);
     action->setToolTip(shown.isEmpty() ? tr(spec.help) : tr("%1 (%2)").arg(tr(spec.help), shown));
     action->setStatusTip(tr(spec.help));
-    action->setCheckable(spec.kind != Spec::Kind::plain);
-    if (spec.kind == choice) choices->addAction(action);
+    action->setCheckable(spec.kind != Spec::plain);
+    if (spec.kind == Spec::choice) choices->addAction(action);
     window->addAction(action);
   }
 }
@@ -232,94 +170,55 @@ QAction* WindowActions::operator[](const char* name) const {
   return window_->findChild<QAction*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
 }
 
+QList<QAction*> WindowActions::all(const char* names) const {
+  QList<QAction*> actions;
+  for (const QString& name : QString::fromLatin1(names).split(QLatin1Char(' ')))
+    actions << window_->findChild<QAction*>(name, Qt::FindDirectChildrenOnly);
+  return actions;
+}
+
 QMenu* WindowActions::make_hole_menu() {
   auto* menu = new QMenu(window_);
   menu->setObjectName(QStringLiteral("holeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const char* name : {"fillAction",
-                           "initialAction",
-                           "runAction",
-                           "-",
-                           "toolFillPartAction",
-                           "-",
-                           "prepareAction",
-                           "trimAction",
-                           "trimCrossingAction",
-                           "eraseRingAction",
-                           "stitchAction",
-                           "repairAction",
-                           "toolBridgeAction",
-                           "partAction",
-                           "-",
-                           "candidatesAction",
-                           "acceptAction",
-                           "rejectAction",
-                           "-",
-                           "compare",
-                           "copyAction"}) {
-    if (*name == '-')
-      menu->addSeparator();
-    else
-      menu->addAction((*this)[name]);
-  }
+  put(menu, all("fillAction initialAction runAction - toolFillPartAction - prepareAction trimAction trimCrossingAction "
+                "eraseRingAction stitchAction repairAction toolBridgeAction partAction - candidatesAction acceptAction "
+                "rejectAction - compare copyAction"));
   return menu;
 }
 
-QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const char*> names) {
+QMenu* WindowActions::add_menu(const QString& title, const char* names) {
   QMenu* menu = window_->menuBar()->addMenu(title);
+  const QList<QAction*> actions = all(names);
+  put(menu, actions);
   Group group{QString(title).remove(QLatin1Char('&')), {}};
-  for (const char* name : names) {
-    if (*name == '-') {
-      menu->addSeparator();
-    } else {
-      menu->addAction((*this)[name]);
-      group.actions << (*this)[name];
-    }
-  }
+  for (QAction* action : actions)
+    if (action) group.actions << action;
   groups_.push_back(std::move(group));
   return menu;
 }
 
 void WindowActions::build_menus(const QList<QAction*>& docks) {
-  QMenu* file = add_menu(tr("&File"), {"open", "add", "sample", "-", "saveSession", "saveSessionAs", "-", "export",
-                                       "screenshot", "film", "report", "-", "quit"});
+  QMenu* file =
+      add_menu(tr("&File"), "open add sample - saveSession saveSessionAs - export screenshot film report - quit");
   recent_ = new QMenu(tr("Open &recent"), file);
   close_ = new QMenu(tr("C&lose"), file);
   file->insertMenu((*this)["sample"], recent_);
   file->insertMenu((*this)["quit"], close_);
-  add_menu(tr("&Edit"), {"undo", "redo", "-", "selectAll", "nextHole", "previousHole", "nextToLookAt", "filter", "-",
-                         "preferences"});
-  QMenu* view = add_menu(
-      tr("&View"), {"curvature", "gaussian",     "plain",      "zebra",      "isophotes",    "scanColors", "deviation",
-                    "-",         "wireframe",    "seams",      "-",          "frame",        "lookFront",  "lookBack",
-                    "lookLeft",  "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",       "-",
-                    "hidePiece", "isolatePiece", "showPieces", "-",          "probe",        "-"});
+  add_menu(tr("&Edit"), "undo redo - selectAll nextHole previousHole nextToLookAt filter - preferences");
+  QMenu* view = add_menu(tr("&View"),
+                         "curvature gaussian plain zebra isophotes scanColors deviation - wireframe seams - frame "
+                         "lookFront lookBack lookLeft lookRight lookTop lookBottom orthographic clip - "
+                         "hidePiece isolatePiece showPieces - probe -");
   view->addActions(docks);
-  add_menu(tr("&Patch"), {"fillAction",
-                          "initialAction",
-                          "-",
-                          "prepareAction",
-                          "trimAction",
-                          "trimCrossingAction",
-                          "eraseRingAction",
-                          "stitchAction",
-                          "partAction",
-                          "repairAction",
-                          "-",
-                          "runAction",
-                          "stepAction",
-                          "-",
-                          "compare",
-                          "-",
-                          "candidatesAction",
-                          "acceptAction",
-                          "rejectAction",
-                          "copyAction",
-                          "-",
-                          "cancelAction"});
-  add_menu(tr("&Tools"), {"compare", "-", "toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction",
-                          "toolFillPartAction", "toolEdgesAction", "toolMirrorAction", "-", "toolMeasureAction"});
-  add_menu(tr("&Help"), {"help", "palette", "shortcuts", "-", "about"});
+  add_menu(tr("&Patch"),
+           "fillAction initialAction - prepareAction trimAction trimCrossingAction eraseRingAction stitchAction "
+           "partAction repairAction - runAction stepAction - compare - candidatesAction acceptAction rejectAction "
+           "copyAction - cancelAction");
+  add_menu(tr("&Tools"),
+           "compare - toolRegionAction toolPointsAction toolBlendAction toolBridgeAction toolFillPartAction "
+           "toolEdgesAction toolMirrorAction - toolMeasureAction");
+  add_menu(tr("&Help"), "help palette shortcuts - about");
 }
 
 void WindowActions::build_toolbar() {
@@ -328,12 +227,11 @@ void WindowActions::build_toolbar() {
   bar->setMovable(false);
   bar->setIconSize(QSize(20, 20));
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  const auto group = [this, bar](std::initializer_list<const char*> names, Qt::ToolButtonStyle style) {
-    for (const char* name : names) {
-      QAction* action = (*this)[name];
+  const auto group = [this, bar](const char* names, Qt::ToolButtonStyle style) {
+    for (QAction* action : all(names)) {
       bar->addAction(action);
       auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
-      button->setObjectName(QLatin1String(name) + QStringLiteral("Button"));
+      button->setObjectName(action->objectName() + QStringLiteral("Button"));
       button->setToolButtonStyle(style);
       button->setFocusPolicy(Qt::TabFocus);
       button->setAccessibleName(QString(action->text()).remove(QLatin1Char('&')));
@@ -341,12 +239,11 @@ void WindowActions::build_toolbar() {
     }
     bar->addSeparator();
   };
-  group({"open", "saveSession", "export"}, Qt::ToolButtonTextBesideIcon);
-  group({"undo", "redo"}, Qt::ToolButtonIconOnly);
-  group({"curvature", "gaussian", "plain", "zebra", "isophotes", "scanColors", "deviation"},
-        Qt::ToolButtonTextBesideIcon);
-  group({"wireframe", "seams", "frame", "screenshot"}, Qt::ToolButtonIconOnly);
-  group({"compare"}, Qt::ToolButtonTextBesideIcon);
+  group("open saveSession export", Qt::ToolButtonTextBesideIcon);
+  group("undo redo", Qt::ToolButtonIconOnly);
+  group("curvature gaussian plain zebra isophotes scanColors deviation", Qt::ToolButtonTextBesideIcon);
+  group("wireframe seams frame screenshot", Qt::ToolButtonIconOnly);
+  group("compare", Qt::ToolButtonTextBesideIcon);
   const auto short_name = [this](const char* name, const QString& text) { (*this)[name]->setIconText(text); };
   short_name("open", tr("Open"));
   short_name("saveSession", tr("Save"));
@@ -359,7 +256,7 @@ void WindowActions::build_toolbar() {
 
 void WindowActions::update_icons() {
   const QColor ink = window_->palette().color(QPalette::ButtonText);
-  for (const Spec& spec : specs)
+  for (const Spec& spec : specs())
     if (spec.icon) (*this)[spec.name]->setIcon(icon(spec.icon, ink));
 }
 

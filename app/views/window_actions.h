@@ -19,6 +19,8 @@ class WindowActions : public QObject {
   explicit WindowActions(QMainWindow* window);
 
   QAction* operator[](const char* name) const;
+  /// By names that blanks separate; null for a "-".
+  QList<QAction*> all(const char* names) const;
   template <class Receiver, class Act>
   void on(const char* name, const Receiver* receiver, Act act) const {
     connect((*this)[name], &QAction::triggered, receiver, act);
@@ -43,7 +45,9 @@ class WindowActions : public QObject {
   const std::vector<Group>& groups() const { return groups_; }
 
  private:
-  QMenu* add_menu(const QString& title, std::initializer_list<const char*> names);
+  struct Spec;
+  static const std::vector<Spec>& specs();
+  QMenu* add_menu(const QString& title, const char* names);
 
   QMainWindow* window_;
   QMenu *recent_ = nullptr, *close_ = nullptr;

@@ -40,7 +40,7 @@ class Side {
 
   double sigma(int v) const {
     if (H_sigma_.empty() || v < patch_.free_count) return std::numeric_limits<double>::quiet_NaN();
-    return H_sigma_[static_cast<std::size_t>(v - patch_.free_count)];
+    return H_sigma_[v - patch_.free_count];
   }
 
   /// From the middle of the edge (a, b), which one triangle of this side has, along the plane square to it.

@@ -17,6 +17,8 @@ struct SeamReport {
   double h_jump_rms = 0;  ///< |H_in − H_out|, 1/length
   double h_jump_max = 0;
   double h_jump_rms_times_diameter = 0;  ///< the same without a unit: times the loop's diameter
+
+  bool operator==(const SeamReport&) const = default;
 };
 
 /// One report for each loop of the patch.

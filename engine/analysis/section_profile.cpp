@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 

@@ -16,8 +16,8 @@ std::vector<double> signed_distances(const Points& points, const TriangleSoup& s
   for (std::size_t k = 0; k < points.size() && !cancel.cancelled(); ++k) {
     const SurfacePoint closest = tree.closest(points[k]);
     if (closest.triangle < 0) continue;
-    const Triangle& t = surface.triangles[static_cast<std::size_t>(closest.triangle)];
-    const auto corner = [&](int i) -> const Vec3& { return surface.points[static_cast<std::size_t>(t[i])]; };
+    const Triangle& t = surface.triangles[closest.triangle];
+    const auto corner = [&](int i) -> const Vec3& { return surface.points[t[i]]; };
     const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)), off = points[k] - closest.place;
     distances[k] = std::copysign(off.norm(), normal.dot(off));
   }

@@ -138,7 +138,7 @@ class Colorer {
     only_vertices_ = only_vertices_ && !one;
     std::array<Color, 3> colors{};
     for (k = 0; k < 3; ++k) {
-      const auto point = static_cast<std::size_t>(model_.soup_vertex[static_cast<std::size_t>(view[k])]);
+      const auto point = static_cast<std::size_t>(model_.soup_vertex[view[k]]);
       colors[k] = one ? *one : soup_.colors.empty() ? without_color : soup_.colors[point];
       if (one || !soup_.colors.empty()) add(view[k], colors[k]);
     }
@@ -160,7 +160,7 @@ class Colorer {
     Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
       // The corner of the file's triangle that this vertex of the view is.
-      const int point = model_.soup_vertex[static_cast<std::size_t>(view[k])];
+      const int point = model_.soup_vertex[view[k]];
       const Triangle& corners = soup_.triangles[triangle];
       const auto corner = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());
       const Vec2& uv = place.at.at(corner);
@@ -186,9 +186,9 @@ class Colorer {
   int vertex(ColoredPart& part, int view, const Look& look) {
     constexpr int most_steps = 64;
     int steps = 0;
-    int& first = first_[static_cast<std::size_t>(view)];
-    for (int at = first; at >= 0 && steps < most_steps; ++steps, at = known_[static_cast<std::size_t>(at)].next)
-      if (known_[static_cast<std::size_t>(at)].look == look) return known_[static_cast<std::size_t>(at)].vertex;
+    int& first = first_[view];
+    for (int at = first; at >= 0 && steps < most_steps; ++steps, at = known_[at].next)
+      if (known_[at].look == look) return known_[at].vertex;
     // A double of a vertex does no harm, where thousands of faces in a fan would take for ever.
     const int made = static_cast<int>(part.view_vertex.size());
     part.view_vertex.push_back(view);
@@ -197,7 +197,7 @@ class Colorer {
   }
 
   void add(int vertex, const Color& color) {
-    auto& sum = sum_[static_cast<std::size_t>(vertex)];
+    auto& sum = sum_[vertex];
     for (std::size_t k = 0; k < 3; ++k) sum[k] += color[k];
     sum[3] += 1;
   }
@@ -232,7 +232,7 @@ ScanColors scan_colors(const SurfaceModel& model, const CancelToken& cancel) {
   ScanColors colors;  // the common case at once
   if (soup.colors.empty()) return colors;
   colors.at_vertices.reserve(model.soup_vertex.size());
-  for (int point : model.soup_vertex) colors.at_vertices.push_back(soup.colors[static_cast<std::size_t>(point)]);
+  for (int point : model.soup_vertex) colors.at_vertices.push_back(soup.colors[point]);
   return colors;
 }
 
@@ -244,14 +244,14 @@ std::vector<Color> patch_colors(const Patch& patch, const std::vector<Color>& of
   int known = 0;
   for (int v = patch.free_count; v < vertices; ++v) {
     const auto at = static_cast<std::size_t>(v);
-    colors[at] = of_view[static_cast<std::size_t>(patch.view_vertex[at])];
+    colors[at] = of_view[patch.view_vertex[at]];
     rgb[at] = Vec3(colors[at][0], colors[at][1], colors[at][2]);
     if (patch.ring[at] != 1) continue;
     mean += rgb[at];
     ++known;
   }
   if (patch.free_count == 0 || known == 0) return colors;
-  for (int v = 0; v < patch.free_count; ++v) rgb[static_cast<std::size_t>(v)] = mean / known;
+  for (int v = 0; v < patch.free_count; ++v) rgb[v] = mean / known;
   std::vector<int> faces(static_cast<std::size_t>(patch.patch_triangles));
   std::iota(faces.begin(), faces.end(), 0);
   const SparseMatrix stiffness = clamped_cotan_stiffness(patch.positions, patch.triangles, faces, robust_clamp);

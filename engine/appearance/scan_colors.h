@@ -9,7 +9,6 @@
 #include "mesh/surface_model.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace loopmend {

@@ -7,7 +7,6 @@
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
-#include <string>
 
 namespace loopmend {
 

@@ -42,6 +42,14 @@ std::optional<T> value_named(const std::array<Named<T>, n>& table, std::string_v
   return std::nullopt;
 }
 
+/// "" for a value that is not in the table.
+template <class T, std::size_t n>
+const char* name_of(const std::array<Named<T>, n>& table, T value) {
+  for (const Named<T>& entry : table)
+    if (value == entry.value) return entry.name;
+  return "";
+}
+
 template <class T, std::size_t n>
 std::vector<std::string> names_in(const std::array<Named<T>, n>& table) {
   std::vector<std::string> names;

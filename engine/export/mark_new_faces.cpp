@@ -26,7 +26,7 @@ void put_column(const std::string& name, ScalarType type, const std::vector<doub
   AttributeColumn column(name, given ? given->type() : type);
   for (double value : values) column.push(value);
   if (given)
-    continued[static_cast<std::size_t>(given - scan.data())] = std::move(column);
+    continued[given - scan.data()] = std::move(column);
   else
     continued.push_back(std::move(column));
 }

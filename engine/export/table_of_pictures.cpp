@@ -92,8 +92,8 @@ std::shared_ptr<const ScanAttributes> with_table_of_pictures(const ScanAttribute
   std::vector<char> known(table->materials.size(), 0);
   for (std::size_t f = 0; f < names->of_face.size(); ++f) {
     const int number = names->of_face[f];
-    if (number < 0 || std::exchange(known[static_cast<std::size_t>(number)], 1)) continue;
-    ScanMaterial& material = table->materials[static_cast<std::size_t>(number)];
+    if (number < 0 || std::exchange(known[number], 1)) continue;
+    ScanMaterial& material = table->materials[number];
     material.color = files.color_of(f);
     if (const std::optional<fs::path> path = files.picture_of(f)) material.picture = pictures.number_of(*path);
   }

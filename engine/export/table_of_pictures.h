@@ -6,7 +6,6 @@
 #include "mesh/scan_attributes.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace loopmend {

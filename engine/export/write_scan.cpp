@@ -278,7 +278,7 @@ class PlyTexture : public Texture {
     AttributeColumn column("texnumber", numbers ? numbers->type() : ScalarType::int32);
     for (const char is_painted : painted.is_painted) column.push(is_painted ? static_cast<double>(names.size()) : 0);
     if (numbers)
-      continued.faces[static_cast<std::size_t>(numbers - scan_.faces.data())] = std::move(column);
+      continued.faces[numbers - scan_.faces.data()] = std::move(column);
     else
       continued.faces.push_back(std::move(column));
   }

@@ -220,7 +220,7 @@ Patch membrane(Patch bridge, const CancelToken& cancel) {
     for (double share : {0.5, 0.25, 0.1}) {
       Patch next = bridge;
       for (int i = 0; i < bridge.free_count; ++i)
-        next.positions[i] += share * (goal[static_cast<std::size_t>(mesh.locked() + i)] - bridge.positions[i]);
+        next.positions[i] += share * (goal[mesh.locked() + i] - bridge.positions[i]);
       if (defect_count(patch_validity(next)) > defect_count(patch_validity(bridge))) continue;
       bridge = std::move(next);
       break;

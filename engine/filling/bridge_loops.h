@@ -8,7 +8,6 @@
 #include "mesh/patch.h"
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

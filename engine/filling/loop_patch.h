@@ -9,7 +9,6 @@
 #include "mesh/validity.h"
 
 #include <optional>
-#include <string>
 
 namespace loopmend {
 

@@ -69,7 +69,7 @@ struct PointHash {
   std::uint64_t operator()(int index) const {
     std::uint64_t hash = 0;
     // Adding 0.0 turns -0.0 into 0.0, which compares equal to it.
-    for (const double x : (*points)[static_cast<std::size_t>(index)]) {
+    for (const double x : (*points)[index]) {
       hash = mix_hash(hash, std::bit_cast<std::uint64_t>(x + 0.0));
     }
     return hash;
@@ -78,9 +78,7 @@ struct PointHash {
 
 struct PointEqual {
   const Points* points;
-  bool operator()(int a, int b) const {
-    return (*points)[static_cast<std::size_t>(a)] == (*points)[static_cast<std::size_t>(b)];
-  }
+  bool operator()(int a, int b) const { return (*points)[a] == (*points)[b]; }
 };
 
 using FirstPoint = FirstOccurrence<PointHash, PointEqual>;

@@ -220,7 +220,7 @@ std::vector<NotKept> not_kept_by_format(const std::filesystem::path& path, const
   if (format == Format::stl || gltf) {
     std::vector<char> used(soup.points.size(), 0);
     for (const Triangle& triangle : soup.triangles)
-      for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
+      for (const int v : triangle) used[v] = 1;
     if (!gltf) count_not_kept(list, say("vertex colours"), soup.colors.size());
     count_not_kept(list, say("vertices without faces"),
                    static_cast<std::size_t>(std::count(used.begin(), used.end(), 0)));

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <map>
-#include <string>
 
 namespace loopmend {
 

@@ -200,7 +200,7 @@ class ModelReader {
       ++count;
     }
     if (count != 0 && count != numbers.size()) fail(say("a transform has %1 numbers, not 12", count));
-    for (int k = 0; count != 0 && k < 12; ++k) result.place(k % 3, k / 3) = numbers[static_cast<std::size_t>(k)];
+    for (int k = 0; count != 0 && k < 12; ++k) result.place(k % 3, k / 3) = numbers[k];
     return result;
   }
 

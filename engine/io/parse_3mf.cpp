@@ -127,7 +127,7 @@ class PackageReader {
       require(colors->second.size());
       face_colors_.resize(soup_.polygon_count() - 1, {opaque_white, opaque_white, opaque_white});
       auto& mine = face_colors_.emplace_back();
-      for (std::size_t k = 0; k < 3; ++k) mine[k] = colors->second[static_cast<std::size_t>(members[k])];
+      for (std::size_t k = 0; k < 3; ++k) mine[k] = colors->second[members[k]];
       differ_ = differ_ || mine[0] != mine[1] || mine[1] != mine[2];
     } else if (group >= 0) {
       ++unknown_groups_;

@@ -5,9 +5,7 @@
 #include "core/message.h"
 #include "io/file_content.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace loopmend {

@@ -224,7 +224,7 @@ class ObjReader {
     }
     const auto kept = std::find(kept_names.begin(), kept_names.end(), word);
     if (kept == kept_names.end()) return count_aside(text_to_say("display statements"));
-    NamesSoFar& names = names_[static_cast<std::size_t>(kept - kept_names.begin())];
+    NamesSoFar& names = names_[kept - kept_names.begin()];
     const auto [known, is_new] = names.number.emplace(name, static_cast<int>(names.names.size()));
     if (is_new) names.names.push_back(name);
     names.now = known->second;
@@ -237,7 +237,7 @@ class ObjReader {
     for (std::string_view token = next(); !token.empty(); token = next()) {
       const std::optional<double> value = parse_double(token);
       if (!value) count_aside(what);
-      if (size < 3) numbers[static_cast<std::size_t>(size++)] = value.value_or(0);
+      if (size < 3) numbers[size++] = value.value_or(0);
     }
     values.dimension = std::max(values.dimension, size);
     values.all.push_back(numbers);

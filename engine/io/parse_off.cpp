@@ -4,7 +4,6 @@
 #include "io/polygon_soup.h"
 #include "io/text_cursor.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -46,11 +46,11 @@ VertexPlan plan_vertices(const PlyElement& element, const ParseErrors& errors) {
   VertexPlan plan;
   for (const PlyProperty& property : element.properties) {
     int role = vertex_role(property);
-    if (role >= 0 && plan.present[static_cast<std::size_t>(role)]) role = -1;  // a second colour of another name
+    if (role >= 0 && plan.present[role]) role = -1;  // a second colour of another name
     plan.roles.push_back(role);
     if (role < 0) continue;
-    plan.present[static_cast<std::size_t>(role)] = true;
-    plan.scales[static_cast<std::size_t>(role)] = full_intensity(property.type);
+    plan.present[role] = true;
+    plan.scales[role] = full_intensity(property.type);
   }
   if (!plan.present[0] || !plan.present[1] || !plan.present[2]) {
     errors.fail(say("the vertices have no coordinates x, y and z"), element.place,
@@ -302,12 +302,11 @@ class PlyBody {
                    std::uint64_t v) {
     std::array<double, 7> values = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, plan.scales[6]};
     for (std::size_t i = 0; i < plan.roles.size(); ++i) {
-      double* value = plan.roles[i] >= 0 ? &values[static_cast<std::size_t>(plan.roles[i])] : nullptr;
+      double* value = plan.roles[i] >= 0 ? &values[plan.roles[i]] : nullptr;
       if (column_of[i] < 0) {
         *value = rows_.carried(element.properties[i].type);
       } else {
-        const double carried =
-            read_into(soup_.attributes.points[static_cast<std::size_t>(column_of[i])], element.properties[i]);
+        const double carried = read_into(soup_.attributes.points[column_of[i]], element.properties[i]);
         if (value != nullptr) *value = carried;
       }
     }

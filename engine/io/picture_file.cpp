@@ -4,7 +4,6 @@
 #include "core/error.h"
 #include "io/file_content.h"
 
-#include <cstdio>
 // After <cstdio>, as libjpeg wants it.
 #include <jpeglib.h>
 #include <png.h>
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <csetjmp>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -4,9 +4,7 @@
 #include "io/parse_errors.h"
 #include "io/text_cursor.h"
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>

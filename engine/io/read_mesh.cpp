@@ -103,7 +103,7 @@ std::size_t count_polygons(const PolygonSoup& soup) {
 std::size_t count_unreferenced(const TriangleSoup& soup) {
   std::vector<char> used(soup.points.size(), 0);
   for (const Triangle& triangle : soup.triangles) {
-    for (const int v : triangle) used[static_cast<std::size_t>(v)] = 1;
+    for (const int v : triangle) used[v] = 1;
   }
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
 }
@@ -133,7 +133,7 @@ std::size_t count_coincident(const Points& points) {
   const PointHash hash{&points};
   std::vector<std::uint32_t> hashes(points.size());
   parallel_for(0, static_cast<int>(points.size()), 1 << 16,
-               [&](int v) { hashes[static_cast<std::size_t>(v)] = static_cast<std::uint32_t>(hash(v)); });
+               [&](int v) { hashes[v] = static_cast<std::uint32_t>(hash(v)); });
   std::array<std::size_t, parts + 1> begin{};
   for (const std::uint32_t h : hashes) ++begin[(h >> 24) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -152,7 +152,7 @@ std::size_t count_coincident(const Points& points) {
 /// A vertex twice, or an area that is zero up to rounding.
 bool is_degenerate(const Points& points, const Triangle& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
-  const auto at = [&](int v) -> const Vec3& { return points[static_cast<std::size_t>(v)]; };
+  const auto at = [&](int v) -> const Vec3& { return points[v]; };
   Vec3 u = at(t[1]) - at(t[0]);
   Vec3 v = at(t[2]) - at(t[0]);
   const double scale = std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
@@ -167,7 +167,7 @@ bool is_degenerate(const Points& points, const Triangle& t) {
 std::size_t count_degenerate(const TriangleSoup& soup) {
   std::atomic<std::size_t> count{0};
   parallel_for(0, static_cast<int>(soup.triangles.size()), 1 << 16, [&](int f) {
-    if (is_degenerate(soup.points, soup.triangles[static_cast<std::size_t>(f)])) ++count;
+    if (is_degenerate(soup.points, soup.triangles[f])) ++count;
   });
   return count;
 }
@@ -217,13 +217,13 @@ std::size_t merge(TriangleSoup& soup, ScanAttributes& attributes, const std::vec
   merged.points.reserve(rows.size());
   merged.colors.reserve(soup.colors.empty() ? 0 : rows.size());
   for (const int row : rows) {
-    merged.points.push_back(Vec3(soup.points[static_cast<std::size_t>(row)]));
-    if (!soup.colors.empty()) merged.colors.push_back(soup.colors[static_cast<std::size_t>(row)]);
+    merged.points.push_back(Vec3(soup.points[row]));
+    if (!soup.colors.empty()) merged.colors.push_back(soup.colors[row]);
   }
   merged.triangles = std::move(soup.triangles);
   for (Triangle& triangle : merged.triangles)
-    for (int& v : triangle) v = place_of[static_cast<std::size_t>(v)];
-  const auto first_of = [&](int v) { return rows[static_cast<std::size_t>(place_of[static_cast<std::size_t>(v)])]; };
+    for (int& v : triangle) v = place_of[v];
+  const auto first_of = [&](int v) { return rows[place_of[v]]; };
   for (int& v : attributes.corners) v = first_of(v);
   for (Triangle& triangle : attributes.triangles)
     for (int& v : triangle) v = first_of(v);
@@ -245,9 +245,9 @@ std::size_t weld(TriangleSoup& soup, ScanAttributes& attributes) {
 std::size_t join_touching(TriangleSoup& soup, const VertexSurvey& survey, ScanAttributes& attributes) {
   const std::vector<int> named = join_touching_fans(soup, survey);
   if (named.empty()) return 0;
-  for (int& v : attributes.corners) v = named[static_cast<std::size_t>(v)];
+  for (int& v : attributes.corners) v = named[v];
   for (Triangle& triangle : attributes.triangles)
-    for (int& v : triangle) v = named[static_cast<std::size_t>(v)];
+    for (int& v : triangle) v = named[v];
   std::size_t joined = 0;
   for (std::size_t v = 0; v < named.size(); ++v) joined += static_cast<std::size_t>(named[v]) != v ? 1 : 0;
   return joined;

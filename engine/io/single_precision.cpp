@@ -33,7 +33,7 @@ std::optional<bool> nine_digits_say_all(double value, double narrow) {
   static constexpr std::array powers{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
   const int shift = 8 - static_cast<int>(std::floor(std::log10(std::abs(value))));
   if (shift < 0 || shift >= static_cast<int>(powers.size())) return std::nullopt;
-  const double power = powers[static_cast<std::size_t>(shift)], number = std::round(value * power);
+  const double power = powers[shift], number = std::round(value * power);
   constexpr double rounding = 1e-5;  // of what double precision makes of a number of nine digits, a few units of 1e-7
   if (std::abs(value * power - number) > rounding) return std::nullopt;  // more than nine
   double last = 1;                                                       // the unit of the last digit that is no zero
@@ -74,7 +74,7 @@ FloatRounding round_to_floats(Points& points) {
   parallel_for(0, (count + grain - 1) / grain, 1, [&](int block) {
     std::size_t longer_here = 0;
     for (int v = grain * block; v < std::min(grain * (block + 1), count); ++v) {
-      const Vec3& p = points[static_cast<std::size_t>(v)];
+      const Vec3& p = points[v];
       if (!as_floats(p).allFinite()) in_range = false;
       longer_here += !float_says_all(p.x()) || !float_says_all(p.y()) || !float_says_all(p.z());
     }

@@ -38,7 +38,7 @@ std::vector<Block> blocks_of(std::string_view text, std::size_t rows) {
       at = end;
     }
     parallel_for(static_cast<int>(begin), static_cast<int>(blocks.size()), 1, [&](int k) {
-      Block& block = blocks[static_cast<std::size_t>(k)];
+      Block& block = blocks[k];
       block.rows = static_cast<std::size_t>(std::count(block.text.begin(), block.text.end(), '\n'));
       if (block.text.back() != '\n') ++block.rows;  // the last line of the text
     });
@@ -99,7 +99,7 @@ std::optional<std::size_t> read(std::string_view text, std::size_t rows, int num
   std::size_t last_bytes = 0;
   parallel_for(0, static_cast<int>(blocks.size()), 1, [&](int k) {
     if (!all_do) return;
-    const Block& block = blocks[static_cast<std::size_t>(k)];
+    const Block& block = blocks[k];
     const auto bytes = read_block<T>(block, rows, static_cast<std::size_t>(numbers), keep, keyword);
     if (!bytes) all_do = false;
     if (bytes && &block == &blocks.back()) last_bytes = *bytes;

@@ -68,19 +68,19 @@ int TextureFiles::material_number_of(std::size_t face) const {
 const std::string* TextureFiles::material_of(std::size_t face) const {
   const int number = material_number_of(face);
   for (const FaceNames& names : scan_.names)
-    if (names.keyword == "usemtl" && number >= 0) return &names.names[static_cast<std::size_t>(number)];
+    if (names.keyword == "usemtl" && number >= 0) return &names.names[number];
   return nullptr;
 }
 
 const ScanMaterial* TextureFiles::table_material_of(std::size_t face) const {
   const int number = scan_.materials ? material_number_of(face) : -1;
   if (number < 0 || static_cast<std::size_t>(number) >= scan_.materials->materials.size()) return nullptr;
-  return &scan_.materials->materials[static_cast<std::size_t>(number)];
+  return &scan_.materials->materials[number];
 }
 
 /// Pictures in the scan's file: the name is its own, with their number.
 fs::path TextureFiles::name_of_picture(int picture) const {
-  const ScanPicture& mine = scan_.materials->pictures[static_cast<std::size_t>(picture)];
+  const ScanPicture& mine = scan_.materials->pictures[picture];
   return mine.path.empty() ? path_of_text(path_text(scan_.file) + ", picture " + std::to_string(picture)) : mine.path;
 }
 
@@ -97,12 +97,10 @@ std::optional<fs::path> TextureFiles::picture_of(std::size_t face) const {
   if (!ply_pictures_.empty()) {
     const double number = numbers_ ? numbers_->value(face) : 0;
     if (!(number >= 0) || number >= static_cast<double>(ply_pictures_.size())) return {};
-    return folder_ / ply_pictures_[static_cast<std::size_t>(number)];
+    return folder_ / ply_pictures_[number];
   }
   if (const ScanMaterial* material = table_material_of(face)) {
-    if (material->picture < 0 ||
-        !scan_.materials->pictures[static_cast<std::size_t>(material->picture)].problem.empty())
-      return {};
+    if (material->picture < 0 || !scan_.materials->pictures[material->picture].problem.empty()) return {};
     return name_of_picture(material->picture);
   }
   if (const std::string* material = material_of(face))

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <map>
-#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -114,7 +113,7 @@ class ModelWriter {
       for (const WrittenTriangle& triangle : triangles_) color_of_face_.push_back(number_of(face_color(triangle.row)));
     }
     colors_.resize(number_.size());
-    for (const auto& [color, number] : number_) colors_[static_cast<std::size_t>(number)] = color;
+    for (const auto& [color, number] : number_) colors_[number] = color;
   }
 
   static Color face_color(const AttributeRow& row) {
@@ -149,12 +148,12 @@ class ModelWriter {
     std::vector<int> number(soup_.points.size());
     std::vector<char> is_used(soup_.points.size(), 0);
     for (const Triangle& t : soup_.triangles)
-      for (const int v : t) is_used[static_cast<std::size_t>(v)] = 1;
+      for (const int v : t) is_used[v] = 1;
     int objects = 0;
     for (const auto& [object, faces] : faces_of) {
       std::vector<char> is_mine(soup_.points.size(), 0);
       for (const std::size_t f : faces)
-        for (const int v : triangles_[f].points) is_mine[static_cast<std::size_t>(v)] = 1;
+        for (const int v : triangles_[f].points) is_mine[v] = 1;
       out << "  <object id=\"" << first_object + objects << "\" type=\"model\"";
       if (static_cast<int>(object) >= 0) out << " name=\"" << escaped(names.at(object)) << '"';
       if (!colors_.empty())
@@ -188,11 +187,10 @@ class ModelWriter {
     out << "     <triangle";
     constexpr std::array<const char*, 3> vertex = {" v1=\"", " v2=\"", " v3=\""},
                                          member = {" p1=\"", " p2=\"", " p3=\""};
-    for (std::size_t k = 0; k < 3; ++k) out << vertex[k] << number[static_cast<std::size_t>(triangle.points[k])] << '"';
+    for (std::size_t k = 0; k < 3; ++k) out << vertex[k] << number[triangle.points[k]] << '"';
     if (!color_of_point_.empty()) {
       out << " pid=\"" << color_group << '"';
-      for (std::size_t k = 0; k < 3; ++k)
-        out << member[k] << color_of_point_[static_cast<std::size_t>(triangle.points[k])] << '"';
+      for (std::size_t k = 0; k < 3; ++k) out << member[k] << color_of_point_[triangle.points[k]] << '"';
     } else if (!color_of_face_.empty()) {
       out << " pid=\"" << color_group << '"' << member[0] << color_of_face_[f] << '"';
     } else if (triangle.material >= 0 && !materials_.materials.empty()) {

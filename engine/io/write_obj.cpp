@@ -77,7 +77,7 @@ class ObjWriter {
       const std::vector<std::string>& words =
           face.row.table == &scan_ ? names.names : find_names(*face.row.table, names.keyword)->names;
       out_ << names.keyword;
-      if (!words[static_cast<std::size_t>(mine)].empty()) out_ << ' ' << words[static_cast<std::size_t>(mine)];
+      if (!words[mine].empty()) out_ << ' ' << words[mine];
       out_ << '\n';
     }
     out_ << 'f';
@@ -98,9 +98,9 @@ class ObjWriter {
     const CornerValues& mine = face.row.table->*values;
     if (mine.dimension == 0) return 0;
     for (const int corner : face.corners)
-      if (corner < 0 || mine.at[static_cast<std::size_t>(corner)] < 0) return 0;
+      if (corner < 0 || mine.at[corner] < 0) return 0;
     const int first = face.row.table == &scan_ ? 1 : 1 + static_cast<int>((scan_.*values).count());
-    return first + mine.at[static_cast<std::size_t>(face.corners[k])];
+    return first + mine.at[face.corners[k]];
   }
 
   Output& out_;

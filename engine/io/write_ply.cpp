@@ -16,7 +16,7 @@ bool has_colors(const std::vector<AttributeColumn>& columns) {
 /// Null for a corner without one.
 const double* corner_value(const CornerValues& values, int corner) {
   if (corner < 0 || values.dimension == 0) return nullptr;
-  const int at = values.at[static_cast<std::size_t>(corner)];
+  const int at = values.at[corner];
   return at < 0 ? nullptr : &values.values[static_cast<std::size_t>(at) * static_cast<std::size_t>(values.dimension)];
 }
 

@@ -11,7 +11,7 @@ namespace loopmend {
 namespace {
 
 const Vec3& corner(const TriangleSoup& soup, const Triangle& triangle, std::size_t i) {
-  return soup.points[static_cast<std::size_t>(triangle[i])];
+  return soup.points[triangle[i]];
 }
 
 /// The unit normal; zero for a triangle without area, as STL has it.
@@ -71,7 +71,7 @@ void write_stl_text(Output& out, const TriangleSoup& soup) {
       if (const int next = name_of(*solids, place); next >= 0 && next != solid) {
         close();
         solid = next;
-        name = solids->names[static_cast<std::size_t>(solid)];
+        name = solids->names[solid];
       }
     }
     if (!std::exchange(open, true)) out << "solid" << name << '\n';

@@ -5,11 +5,9 @@
 #include "mesh/scan_attributes.h"
 #include "mesh/triangle_soup.h"
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace loopmend {
 

@@ -21,7 +21,7 @@ std::array<int, 3> places(const WrittenFace& face, const CornerNumbers& numbers,
   std::array<int, 3> result{};
   const int first = face.row.table == continued_of(soup) ? static_cast<int>(numbers.old_count()) : 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const int at = face.corners[k] < 0 ? -1 : mine.at[static_cast<std::size_t>(face.corners[k])];
+    const int at = face.corners[k] < 0 ? -1 : mine.at[face.corners[k]];
     if (at < 0) return none;
     result[k] = first + at;
   }

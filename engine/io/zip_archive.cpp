@@ -8,7 +8,6 @@
 
 #include <array>
 #include <optional>
-#include <stdexcept>
 
 namespace loopmend {
 

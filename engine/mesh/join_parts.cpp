@@ -66,7 +66,7 @@ JoinedParts join_parts(const std::vector<TriangleSoup>& parts) {
   for (BoundaryLoop& loop : find_boundary_loops(joined.model)) {
     const auto point = static_cast<std::size_t>(joined.model.soup_vertex[loop.vertices.front()]);
     const auto part = std::upper_bound(joined.first_point.begin(), joined.first_point.end(), point) - 1;
-    joined.loops[static_cast<std::size_t>(part - joined.first_point.begin())].push_back(std::move(loop));
+    joined.loops[part - joined.first_point.begin()].push_back(std::move(loop));
   }
   return joined;
 }

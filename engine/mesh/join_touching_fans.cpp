@@ -8,7 +8,6 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
-#include <utility>
 
 namespace loopmend {
 

@@ -26,13 +26,13 @@ class LoopPositions {
       }
     const std::vector<int> number = position_numbers(places, places);
     visits_.resize(places.size());
-    for (std::size_t k = 0; k < visits.size(); ++k) visits_[static_cast<std::size_t>(number[k])].push_back(visits[k]);
+    for (std::size_t k = 0; k < visits.size(); ++k) visits_[number[k]].push_back(visits[k]);
     of_point_ = position_numbers(model.soup.points, places);
   }
 
   /// Of a soup point; −1 where no loop passes its position.
-  int number(int point) const { return of_point_[static_cast<std::size_t>(point)]; }
-  const std::vector<Visit>& visits(int number) const { return visits_[static_cast<std::size_t>(number)]; }
+  int number(int point) const { return of_point_[point]; }
+  const std::vector<Visit>& visits(int number) const { return visits_[number]; }
   const std::vector<std::vector<Visit>>& all() const { return visits_; }
 
  private:

@@ -85,7 +85,7 @@ std::vector<int> parts_of_points(const SurfaceModel& model, int& count) {
     return v;
   };
   for_each_soup_triangle(model, [&](int f) {
-    const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
+    const Triangle& t = model.soup.triangles[f];
     for (int v : t)
       if (lower[v] < 0) lower[v] = v;
     for (int k : {1, 2}) {

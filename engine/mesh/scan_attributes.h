@@ -5,7 +5,6 @@
 #include "core/types.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>

@@ -12,7 +12,7 @@ TriangleSelection select_triangles(const TriangleSoup& whole, const std::vector<
   for (std::size_t f = 0; f < whole.triangles.size(); ++f) {
     if (!chosen[f]) continue;
     triangles.push_back(static_cast<int>(f));
-    for (const int v : whole.triangles[f]) number[static_cast<std::size_t>(v)] = 0;
+    for (const int v : whole.triangles[f]) number[v] = 0;
   }
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] < 0) continue;
@@ -21,9 +21,9 @@ TriangleSelection select_triangles(const TriangleSoup& whole, const std::vector<
     soup.points.push_back(Vec3(whole.points[v]));
     if (!whole.colors.empty()) soup.colors.push_back(whole.colors[v]);
   }
-  const auto numbered = [&](int v) { return number[static_cast<std::size_t>(v)]; };
+  const auto numbered = [&](int v) { return number[v]; };
   for (const int f : triangles) {
-    const Triangle& t = whole.triangles[static_cast<std::size_t>(f)];
+    const Triangle& t = whole.triangles[f];
     soup.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
   }
   copy_rows(whole, points, triangles, soup);

@@ -11,8 +11,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -33,7 +31,7 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, C
 constexpr std::size_t largest_least_area = 128;  // the search is cubic
 constexpr int unvisited = -1;
 
-const Vec3& at(const Points& points, int index) { return points[static_cast<std::size_t>(index)]; }
+const Vec3& at(const Points& points, int index) { return points[index]; }
 
 Vec3 area_vector(const Points& points, int a, int b, int c) {
   return (at(points, b) - at(points, a)).cross(at(points, c) - at(points, a));

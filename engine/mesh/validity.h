@@ -5,7 +5,6 @@
 #include "core/message.h"
 #include "mesh/patch.h"
 
-#include <string>
 #include <vector>
 
 namespace loopmend {

@@ -276,7 +276,7 @@ void separate_fans(const VertexSurvey& survey, Triangles& triangles, std::vector
         if (used[start] || (!closed && scratch.is_led_to[start])) continue;
         std::vector<int>& fan = fans.emplace_back();
         walk(link, start, [&](const LinkEdge& edge) {
-          used[static_cast<std::size_t>(&edge - link.data())] = 1;
+          used[&edge - link.data()] = 1;
           fan.push_back(edge.corner);
         });
       }

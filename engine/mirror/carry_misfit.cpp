@@ -5,8 +5,6 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
-
 namespace loopmend {
 
 namespace {
@@ -60,12 +58,12 @@ bool carry_misfit(const Patch& patch, const Collar& collar, MirrorImage& image) 
   const Eigen::MatrixXd weights = matrix.partialPivLu().solve(right);
   if (!weights.allFinite()) return false;
   parallel_for(0, static_cast<int>(image.points.size()), 64, [&](int k) {
-    Vec3& p = image.points[static_cast<std::size_t>(k)];
+    Vec3& p = image.points[k];
     const Vec3 q = scaled(p);
     Vec3 move = weights.row(count).transpose();
     for (int c = 0; c < 3; ++c) move += q[c] * weights.row(count + 1 + c).transpose();
     for (Eigen::Index i = 0; i < count; ++i)
-      move -= (p - places[static_cast<std::size_t>(i)]).norm() / collar.diameter * weights.row(i).transpose();
+      move -= (p - places[i]).norm() / collar.diameter * weights.row(i).transpose();
     p += move;
   });
   return true;

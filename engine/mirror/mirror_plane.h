@@ -16,6 +16,7 @@ struct MirrorPlane {
   /// person placed.
   double misfit = 0;
 
+  bool operator==(const MirrorPlane&) const = default;
   Vec3 image_of(const Vec3& p) const { return p - 2 * normal.dot(p - point) * normal; }
 };
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "mesh/patch.h"
-#include "neighborhood/fixed_surface.h"
 
 namespace loopmend {
 

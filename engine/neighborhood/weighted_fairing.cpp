@@ -9,7 +9,6 @@
 #include "operators/topology.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>

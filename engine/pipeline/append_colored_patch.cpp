@@ -28,7 +28,7 @@ std::vector<Color> patch_colors(const SurfaceModel& model, const PatchGeometry& 
   if (model.soup.colors.empty() || patch.points.empty()) return {};
   Points points, rgb, alpha;
   for (int v : patch.boundary) {
-    const auto soup_point = static_cast<std::size_t>(model.soup_vertex[static_cast<std::size_t>(v)]);
+    const auto soup_point = static_cast<std::size_t>(model.soup_vertex[v]);
     points.push_back(model.soup.points[soup_point]);
     const Color& color = model.soup.colors[soup_point];
     rgb.emplace_back(color[0], color[1], color[2]);

@@ -8,7 +8,6 @@
 #include "pipeline/patch_result.h"
 #include "pipeline/validate.h"
 
-#include <optional>
 #include <vector>
 
 namespace loopmend {

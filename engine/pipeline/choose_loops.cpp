@@ -64,7 +64,7 @@ void add_loops_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& lo
   if (found) return;
   bool used = false;
   for_each_soup_triangle(model, [&](int f) {
-    const Triangle& t = model.soup.triangles[static_cast<std::size_t>(f)];
+    const Triangle& t = model.soup.triangles[f];
     used = used || std::find(t.begin(), t.end(), vertex) != t.end();
   });
   throw InvalidArgument(used ? say("vertex %1 lies on no boundary loop", vertex)
@@ -79,7 +79,7 @@ std::map<std::size_t, std::optional<SeamContinuity>> named_loops(const SurfaceMo
   for (const auto& [number, continuity] : selection.numbers) {
     if (number < 1 || number > static_cast<int>(loops.size()))
       throw InvalidArgument(say("there is no loop %1: %2. 'loopmend info' lists them", number, count_of_loops(loops)));
-    named[static_cast<std::size_t>(number - 1)] = continuity;
+    named[number - 1] = continuity;
   }
   for (const int vertex : selection.at_vertices) add_loops_at(model, loops, vertex, named);
   return named;

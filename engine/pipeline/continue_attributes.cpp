@@ -281,7 +281,7 @@ class Continuation {
     for (std::size_t face : faces_at_[known])
       for (std::size_t c = scan_.first_corner(face); c < scan_.corner_end(face); ++c)
         if (scan_.corners[c] == row && scan_.normals.at[c] >= 0)
-          return &scan_.normals.values[static_cast<std::size_t>(scan_.normals.at[c] * scan_.normals.dimension)];
+          return &scan_.normals.values[scan_.normals.at[c] * scan_.normals.dimension];
     return nullptr;
   }
 

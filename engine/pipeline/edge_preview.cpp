@@ -15,7 +15,7 @@ namespace loopmend {
 namespace {
 
 int soup_point(const SurfaceModel& model, const Patch& patch, int vertex) {
-  return model.soup_vertex[static_cast<std::size_t>(patch.view_vertex[static_cast<std::size_t>(vertex)])];
+  return model.soup_vertex[patch.view_vertex[vertex]];
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ EdgeEdits edits_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& l
   if (edits.empty()) return {};
   std::set<int> points;
   for (const BoundaryLoop& loop : loops)
-    for (int v : loop.vertices) points.insert(model.soup_vertex[static_cast<std::size_t>(v)]);
+    for (int v : loop.vertices) points.insert(model.soup_vertex[v]);
   EdgeEdits own = edits;
   std::erase_if(own.drawn,
                 [&](const auto& ends) { return !points.contains(ends.first) || !points.contains(ends.second); });
@@ -37,7 +37,7 @@ LoopEdits edits_of(const SurfaceModel& model, const Patch& patch, const EdgeEdit
   if (edits.empty() || patch.loops.size() != 1) return own;
   std::map<int, int> place_of;
   for (int place = 0; place < static_cast<int>(patch.loops[0].size()); ++place)
-    place_of.emplace(soup_point(model, patch, patch.loops[0][static_cast<std::size_t>(place)]), place);
+    place_of.emplace(soup_point(model, patch, patch.loops[0][place]), place);
   for (const auto& [a, b] : edits.drawn)
     if (place_of.contains(a) && place_of.contains(b)) own.drawn.emplace_back(place_of[a], place_of[b]);
   for (int point : edits.stopped)
@@ -56,11 +56,11 @@ std::vector<ContinuedEdge> continued_edges(const SurfaceModel& model, const Boun
   if (!sharp) return edges;
   const auto loop_size = static_cast<int>(initial->loops[0].size());
   const auto boundary_point = [&](int v) {
-    return v < loop_size ? soup_point(model, *initial, initial->loops[0][static_cast<std::size_t>(v)]) : -1;
+    return v < loop_size ? soup_point(model, *initial, initial->loops[0][v]) : -1;
   };
   for (const std::vector<int>& seam : sharp->edges) {
     ContinuedEdge& edge = edges.emplace_back();
-    for (int v : seam) edge.line.push_back(sharp->patch.points[static_cast<std::size_t>(v)]);
+    for (int v : seam) edge.line.push_back(sharp->patch.points[v]);
     edge.begin = boundary_point(seam.front());
     edge.end = boundary_point(seam.back());
   }
@@ -71,8 +71,7 @@ void check(const EdgeEdits& edits, const SurfaceModel& model, const std::vector<
   std::map<int, std::vector<std::pair<std::size_t, int>>> places;  // loop and place on it, by soup point
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (int place = 0; place < loops[l].edges(); ++place)
-      places[model.soup_vertex[static_cast<std::size_t>(loops[l].vertices[static_cast<std::size_t>(place)])]]
-          .emplace_back(l, place);
+      places[model.soup_vertex[loops[l].vertices[place]]].emplace_back(l, place);
   const auto on_boundary = [&](int point) {
     if (!places.contains(point)) throw InvalidArgument(say("vertex %1 lies on no boundary loop", point));
     return places[point];

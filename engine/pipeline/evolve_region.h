@@ -6,8 +6,6 @@
 #include "mesh/region.h"
 #include "pipeline/patch_result.h"
 
-#include <string>
-
 namespace loopmend {
 
 /// @throws InvalidArgument as Evolution.

@@ -44,8 +44,8 @@ std::vector<BoundaryLoop> with_islands(const SurfaceModel& model, const std::vec
   for (const BoundaryLoop& loop : loops) numbers.insert(loop.number);
   std::vector<BoundaryLoop> result = loops;
   for (const HoleWithIslands& found : find_islands(model, all))
-    if (numbers.contains(all[static_cast<std::size_t>(found.hole)].number))
-      for (int island : found.islands) result.push_back(all[static_cast<std::size_t>(island)]);
+    if (numbers.contains(all[found.hole].number))
+      for (int island : found.islands) result.push_back(all[island]);
   return result;
 }
 

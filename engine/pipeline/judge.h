@@ -36,6 +36,7 @@ struct Verdict {
   int folds = 0;                 ///< edges bent by more than 150°
   Proportion proportion;         ///< to the initial patch
 
+  bool operator==(const Verdict&) const = default;
   /// "a crease of 50° along 12 edges of the seam"; empty where it is good.
   Message message() const { return findings.empty() ? Message() : message_of(findings.front()); }
 };

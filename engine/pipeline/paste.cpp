@@ -179,9 +179,8 @@ std::uint32_t sum_of(const TriangleSoup& soup, const SoupRecord& record, const s
 SoupRecord record_of(const TriangleSoup& soup, const std::vector<int>& turned) {
   SoupRecord record{soup.points.size(), soup.triangles.size(), {}};
   record.sums.resize(sums_of(record.points) + sums_of(record.triangles));
-  parallel_for(0, static_cast<int>(record.sums.size()), 4, [&](int k) {
-    record.sums[static_cast<std::size_t>(k)] = sum_of(soup, record, turned, static_cast<std::size_t>(k));
-  });
+  parallel_for(0, static_cast<int>(record.sums.size()), 4,
+               [&](int k) { record.sums[k] = sum_of(soup, record, turned, static_cast<std::size_t>(k)); });
   return record;
 }
 

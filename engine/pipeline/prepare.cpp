@@ -96,13 +96,13 @@ std::optional<JoinedAgain> joined_again(const SurfaceModel& model, const StitchT
 /// @returns how many.
 std::size_t remove_faces_at(const std::vector<int>& vertices, TriangleSoup& soup) {
   std::vector<char> is_marked(soup.points.size(), 0);
-  for (int v : vertices) is_marked[static_cast<std::size_t>(v)] = 1;
+  for (int v : vertices) is_marked[v] = 1;
   std::vector<int> points(soup.points.size()), rows;
   std::iota(points.begin(), points.end(), 0);
   Triangles kept;
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     const Triangle& t = soup.triangles[f];
-    if (std::any_of(t.begin(), t.end(), [&](int v) { return is_marked[static_cast<std::size_t>(v)] != 0; })) continue;
+    if (std::any_of(t.begin(), t.end(), [&](int v) { return is_marked[v] != 0; })) continue;
     kept.push_back(t);
     rows.push_back(static_cast<int>(f));
   }

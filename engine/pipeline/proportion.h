@@ -13,6 +13,8 @@ struct Proportion {
   double area = 1;    ///< of the patch, in that of the initial patch, which is about the least
   double depth = 0;   ///< farthest that the patch leaves the ball around its initial patch, in that ball's diameter
   double energy = 0;  ///< ∫‖∇H‖² dA over the patch × its area: 0 on a sphere, plane or cylinder of any size
+
+  bool operator==(const Proportion&) const = default;
 };
 
 /// One for each loop of the patch: of the connected part that it bounds.

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <unordered_set>
-#include <utility>
 
 namespace loopmend {
 namespace {

@@ -7,7 +7,6 @@
 
 #include <Eigen/CholmodSupport>
 
-#include <new>
 #include <utility>
 #include <vector>
 

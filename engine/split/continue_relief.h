@@ -19,6 +19,8 @@ using ReliefBands = std::array<double, 3>;
 struct ReliefChoice {
   enum class Kind { smooth, continued } kind = Kind::smooth;
   std::uint64_t seed = 1;  ///< of the random waves
+
+  bool operator==(const ReliefChoice&) const = default;
 };
 
 struct ContinuedRelief {

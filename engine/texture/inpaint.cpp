@@ -43,8 +43,7 @@ void put_back(const Field& field, Picture& picture) {
   for (std::size_t k = 0; k < field.colors.size(); ++k) {
     if (field.pixels[k] != Pixel::wanted) continue;
     for (int c = 0; c < 3; ++c)
-      picture.pixels[k][static_cast<std::size_t>(c)] =
-          static_cast<unsigned char>(std::lround(std::clamp(field.colors[k][c], 0.0F, 255.0F)));
+      picture.pixels[k][c] = static_cast<unsigned char>(std::lround(std::clamp(field.colors[k][c], 0.0F, 255.0F)));
     picture.pixels[k][3] = 255;
   }
 }
@@ -374,8 +373,7 @@ class Quilt {
       if (!asked_.empty()) return;
     }
     Draws draws(x, y);
-    while (asked_.size() < candidates)
-      asked_.push_back(sources_[static_cast<std::size_t>(draws.below(static_cast<int>(sources_.size())))]);
+    while (asked_.size() < candidates) asked_.push_back(sources_[draws.below(static_cast<int>(sources_.size()))]);
   }
 
   /// Beyond `most` some number beyond it.

@@ -3,7 +3,6 @@
 
 #include "core/error.h"
 
-#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -37,7 +36,7 @@ Points points_of(const py::array& vertices) {
     if (!point.allFinite())
       throw InvalidArgument(
           say("vertex %1 has a coordinate that is no finite number. Remove it and its faces first.", i));
-    points[static_cast<std::size_t>(i)] = point;
+    points[i] = point;
   }
   return points;
 }
@@ -52,7 +51,7 @@ Triangles triangles_from(const py::array_t<Number, py::array::forcecast>& faces,
       if (v < 0 || static_cast<std::uint64_t>(v) >= vertices)
         throw InvalidArgument(
             say("face %1 names vertex %2, but the mesh has %3 vertices, numbered from 0", f, v, vertices));
-      triangles[static_cast<std::size_t>(f)][static_cast<std::size_t>(c)] = static_cast<int>(v);
+      triangles[f][c] = static_cast<int>(v);
     }
   return triangles;
 }

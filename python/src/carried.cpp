@@ -31,7 +31,7 @@ std::vector<AttributeColumn> columns_of(const Values& values, const std::vector<
   std::vector<AttributeColumn> columns{AttributeColumn("row", ScalarType::int32)};
   for (py::ssize_t r = 0; r < rows.shape(0); ++r) columns.front().push(static_cast<double>(r));
   for (py::ssize_t c = 0; c < rows.shape(1); ++c) {
-    AttributeColumn& column = columns.emplace_back(names[static_cast<std::size_t>(c)], ScalarType::float64);
+    AttributeColumn& column = columns.emplace_back(names[c], ScalarType::float64);
     for (py::ssize_t r = 0; r < rows.shape(0); ++r) column.push(rows(r, c));
   }
   return columns;

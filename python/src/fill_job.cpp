@@ -19,10 +19,10 @@ NewPart part_at(const HoleResult& hole) {
   const Patch& patch = hole.patch->patch;
   std::map<std::pair<int, int>, int> face_at;  // by half-edge
   for (int f = 0; f < patch.patch_triangles; ++f) {
-    const Triangle& t = patch.triangles[static_cast<std::size_t>(f)];
+    const Triangle& t = patch.triangles[f];
     for (std::size_t c = 0; c < 3; ++c) face_at[{t[c], t[(c + 1) % 3]}] = f;
   }
-  const std::vector<int>& loop = patch.loops[static_cast<std::size_t>(hole.place)];
+  const std::vector<int>& loop = patch.loops[hole.place];
   std::vector<int> front;
   for (std::size_t k = 0; k < loop.size() && front.empty(); ++k) {
     const int a = loop[k], b = loop[(k + 1) % loop.size()];
@@ -31,7 +31,7 @@ NewPart part_at(const HoleResult& hole) {
   }
   std::set<int> vertices, faces(front.begin(), front.end());
   while (!front.empty()) {
-    const Triangle t = patch.triangles[static_cast<std::size_t>(front.back())];
+    const Triangle t = patch.triangles[front.back()];
     front.pop_back();
     for (std::size_t c = 0; c < 3; ++c) {
       if (t[c] < patch.free_count) vertices.insert(hole.first_point + t[c]);
@@ -55,7 +55,7 @@ void keep_patches_only(FilledScan& done) {
   done.given_vertices =
       static_cast<std::size_t>(std::count_if(number.begin(), end_of_given, [](int v) { return v >= 0; }));
   for (NewPart& part : done.parts) {
-    for (int& v : part.vertices) v = number[static_cast<std::size_t>(v)];
+    for (int& v : part.vertices) v = number[v];
     for (int& f : part.faces) f -= static_cast<int>(done.given_faces);
   }
   done.given_faces = 0;

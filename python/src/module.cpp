@@ -143,7 +143,7 @@ py::list boundary_loops(const py::array& vertices, const py::array& faces) {
   py::list result;
   for (const BoundaryLoop& loop : loops) {
     std::vector<int> indices;
-    for (const int v : loop.vertices) indices.push_back(model.soup_vertex[static_cast<std::size_t>(v)]);
+    for (const int v : loop.vertices) indices.push_back(model.soup_vertex[v]);
     py::dict entry = loop_figures(loop);
     entry["vertices"] = array_of<int>(std::move(indices));
     result.append(entry);

@@ -15,7 +15,6 @@
 
 #include <cstdio>
 #include <cstring>
-#include <functional>
 #include <optional>
 
 using namespace loopmend;

@@ -4,7 +4,6 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
-#include "samples/paper_inputs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -62,11 +62,11 @@ class PreparationCommands : public test::ProgramTest {
     std::map<int, int> twin;
     for (Triangle& t : soup.triangles) {
       double height = 0;
-      for (int v : t) height += soup.points[static_cast<std::size_t>(v)].z();
+      for (int v : t) height += soup.points[v].z();
       for (int& v : t) {
-        if (height < 0 || std::abs(soup.points[static_cast<std::size_t>(v)].z()) > 1e-9) continue;
+        if (height < 0 || std::abs(soup.points[v].z()) > 1e-9) continue;
         const auto [at, is_new] = twin.emplace(v, static_cast<int>(soup.points.size()));
-        if (is_new) soup.points.push_back(soup.points[static_cast<std::size_t>(v)] + Vec3(0, 0, gap));
+        if (is_new) soup.points.push_back(soup.points[v] + Vec3(0, 0, gap));
         v = at->second;
       }
     }
@@ -200,7 +200,7 @@ TEST_F(PreparationCommands, AllButTheLargestLoopsAreFilledAndLabelled) {
     std::size_t labelled = 0;
     for (const FaceNames& names : scan.names)
       for (int of : names.keyword == keyword ? names.of_face : std::vector<int>{})
-        labelled += of >= 0 && names.names[static_cast<std::size_t>(of)] == "loopmend_patch";
+        labelled += of >= 0 && names.names[of] == "loopmend_patch";
     EXPECT_EQ(labelled, after.triangles.size() - before.triangles.size()) << name;
   }
   EXPECT_THAT(loopmend_program("fill " + path("a.ply") + "-o " + path("b.stl") + "--mark").out, HasSubstr("no label"));
@@ -215,7 +215,7 @@ TriangleSoup ball_with_sheet_at_its_hole() {
     for (std::size_t k = 0; k < 3; ++k) ++faces[std::minmax(t[k], t[(k + 1) % 3])];
   const auto [a, b] =
       std::find_if(faces.begin(), faces.end(), [](const auto& edge) { return edge.second == 1; })->first;
-  const Vec3 middle = (soup.points[static_cast<std::size_t>(a)] + soup.points[static_cast<std::size_t>(b)]) / 2;
+  const Vec3 middle = (soup.points[a] + soup.points[b]) / 2;
   const int outer = static_cast<int>(soup.points.size()), inner = outer + 1;
   soup.points.push_back(1.2 * middle);
   soup.points.push_back(0.8 * middle);
@@ -338,8 +338,7 @@ TEST_F(PreparationCommands, AThinGapBetweenPlaneSheetsIsFilledBetweenTwoStrips) 
   const TriangleSoup after = read_mesh(work / "out.ply").soup;
   double area = 0;
   for (const Triangle& t : after.triangles) {
-    const Vec3 a = after.points[static_cast<std::size_t>(t[0])], b = after.points[static_cast<std::size_t>(t[1])],
-               c = after.points[static_cast<std::size_t>(t[2])];
+    const Vec3 a = after.points[t[0]], b = after.points[t[1]], c = after.points[t[2]];
     EXPECT_LT(std::abs(c.z()), 1e-6);
     area += (b - a).cross(c - a).norm() / 2;
   }
@@ -372,7 +371,7 @@ TEST_F(PreparationCommands, ALoopTakesAShapeOfItsOwn) {
 
 TEST_F(PreparationCommands, SpikesOfMissingDataAreNamedAndCut) {
   TriangleSoup terrain = make_graph([](double x, double y) { return 400 + 0.1 * x * y; }, 5, 30);
-  for (int v : {200, 201, 480}) terrain.points[static_cast<std::size_t>(v)].z() = -9999;
+  for (int v : {200, 201, 480}) terrain.points[v].z() = -9999;
   write("a.ply", terrain);
   const std::string advice = "3 vertices lie at -9999, a mark for missing data: fill --cut-no-data";
   EXPECT_THAT(info("a.ply").out, HasSubstr(advice));
@@ -384,7 +383,7 @@ TEST_F(PreparationCommands, SpikesOfMissingDataAreNamedAndCut) {
   EXPECT_GT(json::parse(test::text_of(work / "r.json"))["prepared"]["no_data_faces"], 10);
   const TriangleSoup after = read_mesh(work / "out.ply").soup;
   for (const Triangle& t : after.triangles)
-    for (int v : t) ASSERT_GT(after.points[static_cast<std::size_t>(v)].z(), 390);
+    for (int v : t) ASSERT_GT(after.points[v].z(), 390);
   EXPECT_THAT(fill("a.ply", "--cut-no-data").out, Not(HasSubstr("--cut-no-data")));
 }
 

@@ -4,7 +4,6 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
-#include "mesh/join_parts.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gmock/gmock.h>

@@ -143,12 +143,12 @@ TEST_F(UnionCommand, PartsKeepMaterialAndTexture) {
   std::size_t faces = 0;
   for (std::size_t f = 0; f < scan.names[0].of_face.size(); ++f) {
     for (std::size_t c = scan.first_corner(f); c < scan.corner_end(f); ++c) {
-      const Vec3& p = soup.points[static_cast<std::size_t>(scan.corners[c])];
+      const Vec3& p = soup.points[scan.corners[c]];
       ASSERT_GE(scan.texture.at[c], 0);
       const double* uv = &scan.texture.values[2 * static_cast<std::size_t>(scan.texture.at[c])];
       EXPECT_NEAR(uv[0], p.x() + 2 * p.z(), 1e-12);
       EXPECT_NEAR(uv[1], p.y(), 1e-12);
-      const bool is_stone = scan.names[0].names[static_cast<std::size_t>(scan.names[0].of_face[f])] == "stone";
+      const bool is_stone = scan.names[0].names[scan.names[0].of_face[f]] == "stone";
       EXPECT_TRUE(is_stone ? p.maxCoeff() <= 1 : p.minCoeff() >= 0.5) << p.transpose();
       ++faces;
     }

@@ -67,7 +67,7 @@ TriangleSoup small_scan(Dice& dice) {
   for (Vec3& p : soup.points)
     for (double& x : p) x += dice.between(-noise, noise);
   for (int holes = 1 + dice.below(3); holes > 0; --holes) {
-    const Vec3 middle = soup.points[static_cast<std::size_t>(dice.below(static_cast<int>(soup.points.size())))];
+    const Vec3 middle = soup.points[dice.below(static_cast<int>(soup.points.size()))];
     const double radius = dice.between(0.2, 0.6);
     soup = cut(soup, [&](const Vec3& p) { return (p - middle).norm() < radius; });
   }

@@ -83,14 +83,6 @@ SessionView some_view() {
   return view;
 }
 
-void expect_same(const SeamReport& a, const SeamReport& b) {
-  EXPECT_EQ(a.g1_rms_deg, b.g1_rms_deg);
-  EXPECT_EQ(a.g1_max_deg, b.g1_max_deg);
-  EXPECT_EQ(a.h_jump_rms, b.h_jump_rms);
-  EXPECT_EQ(a.h_jump_max, b.h_jump_max);
-  EXPECT_EQ(a.h_jump_rms_times_diameter, b.h_jump_rms_times_diameter);
-}
-
 void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.deviation.vertices, b.deviation.vertices);
   EXPECT_EQ(a.patch.free_count, b.patch.free_count);
@@ -106,22 +98,7 @@ void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.patch.grading.density, b.patch.grading.density);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.message, b.message);
-  EXPECT_EQ(a.recipe.density, b.recipe.density);
-  EXPECT_EQ(a.recipe.start, b.recipe.start);
-  ASSERT_EQ(a.recipe.runs.size(), b.recipe.runs.size());
-  for (std::size_t i = 0; i < a.recipe.runs.size(); ++i) {
-    const RunRecipe &x = a.recipe.runs[i], &y = b.recipe.runs[i];
-    EXPECT_EQ(x.flow, y.flow);
-    EXPECT_EQ(x.mode, y.mode);
-    EXPECT_EQ(x.sigma, y.sigma);
-    EXPECT_EQ(x.boundary, y.boundary);
-    EXPECT_EQ(x.continuity, y.continuity);
-    EXPECT_EQ(x.mirror, y.mirror);
-    EXPECT_EQ(x.relief.kind, y.relief.kind);
-    EXPECT_EQ(x.relief.seed, y.relief.seed);
-    EXPECT_EQ(x.steps, y.steps);
-    EXPECT_EQ(x.end, y.end);
-  }
+  EXPECT_EQ(a.recipe, b.recipe);
   EXPECT_EQ(a.flow, b.flow);
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.last_step.step, b.last_step.step);
@@ -131,20 +108,9 @@ void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.last_step.max_move, b.last_step.max_move);
   EXPECT_EQ(a.energy.initial, b.energy.initial);
   EXPECT_EQ(a.seconds.total, b.seconds.total);
-  ASSERT_EQ(a.seams.size(), b.seams.size());
-  ASSERT_EQ(a.verdicts.size(), b.verdicts.size());
-  for (std::size_t i = 0; i < a.verdicts.size(); ++i) {
-    EXPECT_EQ(a.verdicts[i].grade, b.verdicts[i].grade);
-    EXPECT_EQ(a.verdicts[i].findings, b.verdicts[i].findings);
-    EXPECT_EQ(a.verdicts[i].crease_deg, b.verdicts[i].crease_deg);
-    EXPECT_EQ(a.verdicts[i].height, b.verdicts[i].height);
-    EXPECT_EQ(a.verdicts[i].folds, b.verdicts[i].folds);
-  }
-  ASSERT_EQ(a.seams_before.size(), b.seams_before.size());
-  for (std::size_t i = 0; i < a.seams.size(); ++i) {
-    expect_same(a.seams[i], b.seams[i]);
-    expect_same(a.seams_before[i], b.seams_before[i]);
-  }
+  EXPECT_EQ(a.seams, b.seams);
+  EXPECT_EQ(a.seams_before, b.seams_before);
+  EXPECT_EQ(a.verdicts, b.verdicts);
 }
 
 struct SessionTest : testing::Test {
@@ -194,18 +160,8 @@ TEST_F(SessionTest, ComesBackWithEveryFieldAsItWas) {
     expect_same(*in.patches[i].state, *out.patches[i].state);
   }
   ASSERT_TRUE(in.view);
-  const SessionView view = some_view();
-  EXPECT_EQ(in.view->from.focus, view.from.focus);
-  EXPECT_EQ(in.view->from.eye, view.from.eye);
-  EXPECT_EQ(in.view->from.up, view.from.up);
-  EXPECT_EQ(in.view->look.shading, view.look.shading);
-  EXPECT_EQ(in.view->look.edges, view.look.edges);
-  EXPECT_EQ(in.view->look.seams, view.look.seams);
-  EXPECT_EQ(in.view->look.map, view.look.map);
-  EXPECT_EQ(in.view->look.H.rule, view.look.H.rule);
-  EXPECT_EQ(in.view->look.H.half_width, view.look.H.half_width);
-  EXPECT_EQ(in.view->look.K.percent, view.look.K.percent);
-  EXPECT_EQ(in.view->look.stripes, view.look.stripes);
+  EXPECT_EQ(in.view->from, some_view().from);
+  EXPECT_EQ(in.view->look, some_view().look);
 }
 
 TEST_F(SessionTest, IndicesSkipAScanThatWasTakenAway) {

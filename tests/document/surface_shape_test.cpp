@@ -38,7 +38,7 @@ TEST(SurfaceShape, ACubePartedAtItsCreasesHasTheNormalsOfItsSides) {
   ASSERT_EQ(shape.normals.size(), 3U * 24);
   for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
     const int v = shape.triangles[t], given = cube.triangles[t / 3][t % 3];
-    EXPECT_EQ(point(shape, v).cast<double>(), cube.points[static_cast<std::size_t>(given)]);
+    EXPECT_EQ(point(shape, v).cast<double>(), cube.points[given]);
     const Eigen::Map<const Eigen::Vector3f> normal(shape.normals.data() + 3 * static_cast<std::ptrdiff_t>(v));
     EXPECT_EQ(normal.lpNorm<1>(), 1);
     EXPECT_EQ(normal.lpNorm<Eigen::Infinity>(), 1);
@@ -69,8 +69,7 @@ TEST(SurfaceShape, SlicesHaveAllTriangles) {
     EXPECT_EQ(slice->colors.size(), slice->points.size());
     EXPECT_EQ(3 * slice->H.size(), slice->points.size());
     for (int i = 0; i < static_cast<int>(slice->triangles.size()); ++i, ++seen)
-      ASSERT_EQ(point(*slice, slice->triangles[static_cast<std::size_t>(i)]),
-                point(whole, whole.triangles[static_cast<std::size_t>(3 * begin + i)]));
+      ASSERT_EQ(point(*slice, slice->triangles[i]), point(whole, whole.triangles[3 * begin + i]));
     EXPECT_TRUE(std::all_of(number.begin(), number.end(), [](int n) { return n == -1; }));
   }
   EXPECT_EQ(seen, 3 * count);
@@ -139,7 +138,7 @@ TEST(SurfaceShape, ALargeOneIsReducedToItsMeans) {
     ASSERT_NEAR(point(reduced, v).norm(), 1, 2e-4);  // a cell is some 0.01 wide
     const Eigen::Map<const Eigen::Vector3f> normal(reduced.normals.data() + 3 * static_cast<std::ptrdiff_t>(v));
     ASSERT_GT(normal.dot(point(reduced, v)), 0.999);
-    const float H = reduced.H[static_cast<std::size_t>(v)];
+    const float H = reduced.H[v];
     ASSERT_TRUE(H == -1.0F || std::isnan(H)) << "unknown only where no vertex of the cell is known";
     const int red = reduced.colors[3 * static_cast<std::size_t>(v)];
     ASSERT_TRUE(red >= 90 && red <= 110);

@@ -147,8 +147,8 @@ int boundary_point(const TriangleSoup& scan, const Vec3& place) {
   int best = -1;
   for (const BoundaryLoop& loop : find_boundary_loops(model))
     for (int v : loop.vertices) {
-      const int point = model.soup_vertex[static_cast<std::size_t>(v)];
-      const auto distance = [&](int p) { return (scan.points[static_cast<std::size_t>(p)] - place).norm(); };
+      const int point = model.soup_vertex[v];
+      const auto distance = [&](int p) { return (scan.points[p] - place).norm(); };
       if (best < 0 || distance(point) < distance(best)) best = point;
     }
   return best;

@@ -8,8 +8,6 @@
 #include "io/texture_files.h"
 #include "mesh/scan_attributes.h"
 
-#include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <set>
 #include <string>
@@ -159,7 +157,7 @@ TEST_F(FormatPairs, PicturesOfPlyAndObjGoIntoGltf) {
       EXPECT_EQ(files.read(*files.picture_of(1)).pixels, ramp().pixels);
       for (std::size_t k = 0; k < 3; ++k) {  // texture coordinates are the places, as in both files
         const auto at = 2 * static_cast<std::size_t>(after.attributes->texture.at[3 + k]);
-        const Vec3& p = after.points[static_cast<std::size_t>(after.triangles[1][k])];
+        const Vec3& p = after.points[after.triangles[1][k]];
         EXPECT_EQ(after.attributes->texture.values[at], p.x());
         EXPECT_EQ(after.attributes->texture.values[at + 1], p.y());
       }

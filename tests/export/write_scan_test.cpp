@@ -63,7 +63,7 @@ class WriteScan : public ::testing::Test {
       if (!is_meant(f)) continue;
       ++count;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& p = soup.points[static_cast<std::size_t>(soup.triangles[f][k])];
+        const Vec3& p = soup.points[soup.triangles[f][k]];
         const auto at = static_cast<std::size_t>(texture.at[3 * f + k]);
         const double u = texture.values[2 * at], v = texture.values[2 * at + 1];
         EXPECT_TRUE(u >= 0 && v >= 0 && u <= 1 && v <= 1);
@@ -97,7 +97,7 @@ TEST_F(WriteScan, ThePatchIsPaintedAsTheScanIs) {
     const Picture picture = read_picture(folder_ / ("out/" + library.color_pictures.at("loopmend_patch")));
     ASSERT_EQ(scan.names.size(), 1U);
     const auto is_of_patch = [&](std::size_t f) {
-      return scan.names[0].names[static_cast<std::size_t>(scan.names[0].of_face[f])] == "loopmend_patch";
+      return scan.names[0].names[scan.names[0].of_face[f]] == "loopmend_patch";
     };
     EXPECT_EQ(count_ramp_triangles(soup, picture, is_of_patch), written.painted);
   }
@@ -115,9 +115,7 @@ TEST_F(WriteScan, PlyIsPaintedToo) {
     for (const Vec3& p : bowl.points) ply << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     for (const Triangle& t : bowl.triangles) {
       ply << 3 << ' ' << t[0] << ' ' << t[1] << ' ' << t[2] << (*number ? " 0" : "") << " 6";
-      for (int v : t)
-        ply << ' ' << (bowl.points[static_cast<std::size_t>(v)].x() + 1) / 2 << ' '
-            << (bowl.points[static_cast<std::size_t>(v)].y() + 1) / 2;
+      for (int v : t) ply << ' ' << (bowl.points[v].x() + 1) / 2 << ' ' << (bowl.points[v].y() + 1) / 2;
       ply << '\n';
     }
     ply.close();

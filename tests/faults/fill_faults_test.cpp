@@ -13,7 +13,6 @@
 #include <cstring>
 #include <map>
 #include <new>
-#include <optional>
 #include <string>
 
 namespace loopmend::test {

@@ -39,7 +39,7 @@ Points square(int along, double half) {
 
 Points star(int count, double least, double most) {
   Points points = circle(count, 1);
-  for (int k = 0; k < count; ++k) points[static_cast<std::size_t>(k)] *= k % 2 == 0 ? least : most;
+  for (int k = 0; k < count; ++k) points[k] *= k % 2 == 0 ? least : most;
   return points;
 }
 
@@ -83,10 +83,7 @@ struct Joined {
     const Points& p = model.soup.points;
     for (std::size_t f = given_triangles; f < model.soup.triangles.size(); ++f) {
       const Triangle& t = model.soup.triangles[f];
-      area += (p[static_cast<std::size_t>(t[1])] - p[static_cast<std::size_t>(t[0])])
-                  .cross(p[static_cast<std::size_t>(t[2])] - p[static_cast<std::size_t>(t[0])])
-                  .norm() /
-              2;
+      area += (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm() / 2;
     }
     return area;
   }
@@ -189,8 +186,7 @@ TEST(RingBridge, FindsTheRingsOfAPipe) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   const std::vector<std::pair<int, int>> rings = find_rings(model, loops, {});
   ASSERT_EQ(rings.size(), 2U);
-  for (const auto& [i, j] : rings)
-    EXPECT_NEAR(loops[static_cast<std::size_t>(i)].center.z(), loops[static_cast<std::size_t>(j)].center.z(), 1e-9);
+  for (const auto& [i, j] : rings) EXPECT_NEAR(loops[i].center.z(), loops[j].center.z(), 1e-9);
 }
 
 TEST(RingBridge, HalvesOfATorusRunOn) {

@@ -161,33 +161,6 @@ void write_sessions(const std::filesystem::path& folder) {
   write_bytes("packed_scan.loopmend", pack(to_bytes(session, QStringLiteral("/scans")), {file}));
 }
 
-/// As a person types them, one word a line.
-void write_words(const std::filesystem::path& folder) {
-  const std::vector<std::string> lines = {
-      "info\na.ply\n--json\n-\n--weld\n--check\n--verbose",
-      "fill\na.ply\n-o\nb.ply\n--loops\n1,3\n--max-edges\n20\n--max-diameter\n1.5\n--trim-boundary\n3\n--threads=2",
-      "fill\na.ply\n--output=b.ply\n--at-vertex\n17,230\n--bridge\n1,2\n--bridge\n3,4\n--islands\ncover\n--stitch\n--"
-      "repair",
-      "fill\na\n-ob.ply\n--flow\nwf\n--mode\nsteps\n--steps\n20\n--sigma\n1e-1\n--solver\ngmres\n--density\n0.5\n--"
-      "ascii",
-      "fill\na\n-o\nb\n--boundary\nrobust\n--continuity\ntangent\n--report\n-\n--quiet\n--max-time\n1\n--max-"
-      "memory\n100",
-      "fill\na\n-o\nb\n--texture\nsmooth\n--materials\nreference\n--keep-partial\n--cut-intersections\n--patches-only",
-      "fill\na\n-o\nb\n--relief\ncontinued\n--relief-seed\n7\n--verbose\n--check",
-      "render\na.ply\nb.ply\n-o\nc.png\n--color\nzebra\n--size\n640x480\n--direction\n1,-2,0.5\n--loop\n3",
-      "render\na.ply\n-o\nc.png\n--view\niso",
-      "sample\n-o\na.ply",
-      "blend\na\nb\n-o\nc\n--loops\n1:2,2:1",
-      "interpolate\na\n-o\nb\n--subdivide\n4\n--open\n--fixed\nf",
-      "evolve\na\n-o\nb\n--where\nz>0.725",
-      "compare\na\n-o\nb\n--subdivide\n3",
-      "reproduce\nall\n-o\nb\n--quiet",
-      "batch\na\nb\n-o\nc\n--jobs\n2\n--format\nply\n--fail-on\nopen\n--again\nall\n--\n--flow\nmcf\n--density\n2",
-      "--version",
-      "fill\n--help"};
-  for (std::size_t k = 0; k < lines.size(); ++k) std::ofstream(folder / std::to_string(k)) << lines[k];
-}
-
 void write_jpeg(const std::filesystem::path& path) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) std::abort();
@@ -219,7 +192,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::filesystem::path folder = argv[1];
   for (const char* kind :
-       {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf", "model", "mtl", "png", "jpg", "session", "words"})
+       {"ply", "obj", "stl", "off", "ply.gz", "glb", "gltf", "3mf", "model", "mtl", "png", "jpg", "session"})
     std::filesystem::create_directories(folder / kind);
   for (const auto& [name, seeds] : texts) {
     const std::string kind = name.substr(0, name.find('-'));
@@ -237,6 +210,5 @@ int main(int argc, char** argv) {
   }
   write_jpeg(folder / "jpg" / "a.jpg");
   write_sessions(folder / "session");
-  write_words(folder / "words");
   return 0;
 }

@@ -10,7 +10,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialog>
 #include <QDockWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -79,10 +78,8 @@ class AccessTest : public QObject {
 };
 
 void AccessTest::whatever_takes_input_has_a_name() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  Shown window({sample_file(folder_)});
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   window.visibility().set_patches({window.document().patches().front().id}, SceneVisibility::Visible::hidden);
   QStringList nameless;
   int named = 0;
@@ -118,10 +115,8 @@ void AccessTest::whatever_takes_input_has_a_name() {
 
 /// Space ticks a check box and starts no run; Delete needs a selection.
 void AccessTest::keys_belong_to_what_has_the_focus() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  Shown window({sample_file(folder_)});
+  QVERIFY(press_and_wait(window, "fill"));
   const PatchStatePtr before = window.document().patches().front().state;
   auto* islands = part<QCheckBox>(window, "islands");
   islands->setFocus();

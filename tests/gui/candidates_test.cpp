@@ -16,7 +16,6 @@
 #include <QLabel>
 #include <QProcess>
 #include <QPushButton>
-#include <QScreen>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -103,13 +102,12 @@ class CandidatesTest : public QObject {
 };
 
 void CandidatesTest::cards_show_pictures_and_the_view_shows_the_one_under_the_mouse() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QVERIFY(show_candidates(window, first_hole(window.document())));
   shoot(window, "candidates");
   const auto& all = window.candidates().candidates();
   QVERIFY2(all.size() >= 3, qPrintable(QString::number(all.size())));
-  QCOMPARE(all[static_cast<std::size_t>(window.candidates().in_place())].kind, CandidateKind::automatic);
+  QCOMPARE(all[window.candidates().in_place()].kind, CandidateKind::automatic);
   auto* panel = part<CandidatesPanel>(window, "candidatesPanel");
   for (const Candidate& candidate : all) {
     const QImage& picture = panel->card(candidate.kind)->picture();
@@ -132,8 +130,7 @@ void CandidatesTest::cards_show_pictures_and_the_view_shows_the_one_under_the_mo
 }
 
 void CandidatesTest::pictures_turn_with_the_view() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QVERIFY(show_candidates(window, first_hole(window.document())));
   auto* panel = part<CandidatesPanel>(window, "candidatesPanel");
   const QImage before = panel->card(CandidateKind::flat)->picture();
@@ -145,8 +142,7 @@ void CandidatesTest::pictures_turn_with_the_view() {
 }
 
 void CandidatesTest::one_is_taken_and_one_step_of_undo_takes_it_back() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Document& document = window.document();
   const int hole = first_hole(document);
   QVERIFY(fill_hole(window, hole));
@@ -174,8 +170,7 @@ void CandidatesTest::one_is_taken_and_one_step_of_undo_takes_it_back() {
 }
 
 void CandidatesTest::cancelled_at_once_and_nothing_changes() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Document& document = window.document();
   const int hole = first_hole(document);
   QVERIFY(fill_hole(window, hole));
@@ -197,8 +192,7 @@ void CandidatesTest::cancelled_at_once_and_nothing_changes() {
 }
 
 void CandidatesTest::the_view_keeps_its_room() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.resize(1400, 900);
   QVERIFY(fill_hole(window, first_hole(window.document())));
   QVERIFY(compute(window));
@@ -238,8 +232,7 @@ void CandidatesTest::what_is_taken_has_the_bits_of_the_command_that_is_copied() 
   QFETCH(QString, scan);
   QFETCH(int, kind);
   QFETCH(QString, option);
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   const Document& document = window.document();
   // The sample's third loop has a neighborhood with noise: there exact is another patch than the automatic one.
   const int hole = first_hole(document);
@@ -262,8 +255,7 @@ void CandidatesTest::what_is_taken_has_the_bits_of_the_command_that_is_copied() 
 }
 
 void CandidatesTest::a_mirror_image_that_does_not_fit_says_why() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QVERIFY(fill_hole(window, first_hole(window.document())));
   QVERIFY(compute(window));
   QCOMPARE(index_of(window, CandidateKind::mirror), -1);

@@ -13,7 +13,6 @@
 #include "panels/plot.h"
 #include "samples/analytic_surfaces.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -110,8 +109,8 @@ class CompareTest : public QObject {
 void CompareTest::numbers_are_those_of_the_command_line() {
   const QString ball = ball_file(folder_);
   Shown shown({ball});
-  key(shown.window, Qt::Key_C);
-  CompareWindow* window = compare_window(shown.window);
+  key(shown, Qt::Key_C);
+  CompareWindow* window = compare_window(shown);
   QVERIFY(window && QTest::qWaitForWindowExposed(window));
   QVERIFY(run_all(*window));
   const QString table = folder_.filePath(QStringLiteral("figures.csv"));
@@ -142,7 +141,7 @@ void CompareTest::numbers_are_those_of_the_command_line() {
 
 void CompareTest::views_are_linked_until_unlinked() {
   Shown shown({ball_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
   settle();
@@ -165,7 +164,7 @@ void CompareTest::views_are_linked_until_unlinked() {
 
 void CompareTest::the_line_wipes() {
   Shown shown({ball_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(run_all(*window));
   in<QComboBox>(*window, "compareShading")->setCurrentIndex(3);  // zebra: the start's kink shows
@@ -192,7 +191,7 @@ void CompareTest::the_line_wipes() {
 
 void CompareTest::pictures_of_any_size() {
   Shown shown({ball_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "comparePicture")->isEnabled(); }));
   settle();
@@ -230,7 +229,7 @@ void CompareTest::pictures_of_any_size() {
 
 void CompareTest::the_command_in_the_clipboard_does_the_same() {
   Shown shown({ball_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(run_all(*window));
   const QString table = folder_.filePath(QStringLiteral("copied.csv"));
@@ -258,7 +257,7 @@ void CompareTest::the_command_in_the_clipboard_does_the_same() {
 /// what a fresh drawing of the last state gives.
 void CompareTest::pictures_move_between_states_and_end_at_them() {
   Shown shown({ball_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
   settle();
@@ -299,10 +298,8 @@ void CompareTest::pictures_move_between_states_and_end_at_them() {
 }
 
 void CompareTest::the_winner_comes_into_the_document() {
-  Shown shown({ball_file(folder_)});
-  MainWindow& main = shown.window;
-  press(main, "fill");
-  QVERIFY(wait_idle(main));
+  Shown main({ball_file(folder_)});
+  QVERIFY(press_and_wait(main, "fill"));
   const int loop = first_hole(main.document());
   const PatchStatePtr initial_patch = main.document().patch_of(loop)->state;
   press(main, "compareFlows");
@@ -323,7 +320,7 @@ void CompareTest::the_winner_comes_into_the_document() {
 
 void CompareTest::two_views_and_other_flows() {
   Shown shown({ball_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(wait_until([&] { return in<QPushButton>(*window, "compareRun")->isEnabled(); }));
   in<QComboBox>(*window, "compareCount")->setCurrentIndex(0);
@@ -342,7 +339,7 @@ void CompareTest::distances_between_flows_and_from_a_mesh() {
   const QString whole = folder_.filePath(QStringLiteral("whole.ply"));
   write_mesh(whole.toStdString(), make_icosphere(4));
   Shown shown({ball_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   QVERIFY(run_all(*window));
   auto* shading = in<QComboBox>(*window, "compareShading");
@@ -384,7 +381,7 @@ void CompareTest::distances_between_flows_and_from_a_mesh() {
 
 void CompareTest::stop_comes_back_at_once() {
   Shown shown({sample_file(folder_)});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   QVERIFY(QTest::qWaitForWindowExposed(window));
   auto* run = in<QPushButton>(*window, "compareRun");
   QVERIFY(wait_until([&] { return run->isEnabled(); }));
@@ -397,17 +394,17 @@ void CompareTest::stop_comes_back_at_once() {
   std::printf("stop: %lld ms\n", static_cast<long long>(clock.elapsed()));
   window->close();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  QVERIFY(compare_window(shown.window) == nullptr);
-  QVERIFY(shown.window.comparisons().shut_down(std::chrono::minutes(4)));
+  QVERIFY(compare_window(shown) == nullptr);
+  QVERIFY(shown.comparisons().shut_down(std::chrono::minutes(4)));
 }
 
 void CompareTest::says_why_it_cannot() {
   const QString closed = folder_.filePath(QStringLiteral("closed.ply"));
   write_mesh(closed.toStdString(), make_icosphere(2));
   Shown shown({closed});
-  key(shown.window, Qt::Key_C);
-  QVERIFY(compare_window(shown.window) == nullptr);
-  QVERIFY(part<QLabel>(shown.window, "bannerText")->text().contains(QStringLiteral("no hole")));
+  key(shown, Qt::Key_C);
+  QVERIFY(compare_window(shown) == nullptr);
+  QVERIFY(part<QLabel>(shown, "bannerText")->text().contains(QStringLiteral("no hole")));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<CompareTest>(); }

@@ -233,19 +233,24 @@ void press(MainWindow& window, const char* button) {
   QTest::mouseClick(part<QAbstractButton>(window, button), Qt::LeftButton);
 }
 
+bool press_and_wait(MainWindow& window, const char* button, double seconds) {
+  press(window, button);
+  return wait_idle(window, seconds);
+}
+
 void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with) { QTest::keyClick(&window, which, with); }
 
 Shown::Shown(const QStringList& paths) {
-  window.move(0, 0);
-  window.show();
-  exposed = QTest::qWaitForWindowExposed(&window);
-  QApplication::setActiveWindow(&window);  // there is no window manager to do it, and shortcuts need it
-  if (!paths.isEmpty()) window.open(paths);
-  ready = wait_idle(window) && (paths.isEmpty() || window.document().has_scan());
+  move(0, 0);
+  show();
+  exposed = QTest::qWaitForWindowExposed(this);
+  QApplication::setActiveWindow(this);  // there is no window manager to do it, and shortcuts need it
+  if (!paths.isEmpty()) open(paths);
+  ready = wait_idle(*this) && (paths.isEmpty() || document().has_scan());
   settle();
 }
 
-Shown::~Shown() { window.autosave().finish(); }
+Shown::~Shown() { autosave().finish(); }
 
 QString scan_file(const QTemporaryDir& folder, const QString& name, const TriangleSoup& soup) {
   const QString path = folder.filePath(name);
@@ -270,7 +275,7 @@ int open_holes(const Document& document) {
 }
 
 QPoint visible_point(MainWindow& window, int loop) {
-  const int count = window.document().loops()[static_cast<std::size_t>(loop)].edges();
+  const int count = window.document().loops()[loop].edges();
   QWidget* canvas = window.view().canvas();
   for (int v = 0; v < count; ++v) {
     const QPoint at = window.view().position_of(loop, v);

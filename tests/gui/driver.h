@@ -53,17 +53,18 @@ T* part(MainWindow& window, const char* name) {
   return found;
 }
 void press(MainWindow& window, const char* button);
+/// And waits until what it begins has ended. @returns whether it has.
+bool press_and_wait(MainWindow& window, const char* button, double seconds = 240);
 /// As from a menu.
 void trigger(MainWindow& window, const char* action);
 
 void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with = {});
 
 /// A window on the screen, with these files open.
-class Shown {
+class Shown : public MainWindow {
  public:
   explicit Shown(const QStringList& paths = {});
-  ~Shown();
-  MainWindow window;
+  ~Shown() override;
   bool exposed = false, ready = false;
 };
 

@@ -7,7 +7,6 @@
 #include "dialogs/help_window.h"
 #include "dialogs/picture_dialog.h"
 #include "document/language.h"
-#include "document/targets.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/sample_scan.h"
@@ -22,7 +21,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPushButton>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -64,8 +62,7 @@ class FeatureTest : public QObject {
 };
 
 void FeatureTest::every_look_draws_another_picture() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QList<QImage> pictures;
   const auto shoot = [&] {
     settle();
@@ -121,14 +118,12 @@ void FeatureTest::a_scan_with_colors_is_shown_in_them() {
       }
     return static_cast<double>(green) / (picture.width() * picture.height());
   };
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   QCOMPARE(window.view().look().shading, Shading::scan);
   settle();
   const double open = green_share(window.view().picture());
   QVERIFY2(open > 0.1, qPrintable(QString::number(open)));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 120));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 120));
   settle();
   const double filled = green_share(window.view().picture());
   QVERIFY2(filled > open, "the patches do not have the colour of the scan");
@@ -144,12 +139,10 @@ void FeatureTest::a_scan_with_colors_is_shown_in_them() {
 
 /// A saved session keeps the values, and undo takes them away.
 void FeatureTest::likely_error_colors_the_patches() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const auto* action = part<QAction>(window, "deviation");
   QVERIFY2(!action->isEnabled(), "there are no patches");
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 120));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 120));
   QVERIFY(action->isEnabled());
   settle();
   const QImage curvature = window.view().picture();
@@ -177,12 +170,10 @@ void FeatureTest::likely_error_colors_the_patches() {
 }
 
 void FeatureTest::a_kept_picture_is_the_whole_picture() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   QVERIFY(fly(window, hole));
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   window.selection().select({hole});
   press(window, "run");
   QVERIFY(wait_until([&] { return window.document().patch_of(hole)->state->steps >= 3; }));
@@ -197,8 +188,7 @@ void FeatureTest::a_kept_picture_is_the_whole_picture() {
 }
 
 void FeatureTest::a_point_tells_its_values() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.selection().select({0});
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, window.view().canvas()->rect().center());
   const QString words = part<QLabel>(window, "statusFigures")->text();
@@ -211,14 +201,14 @@ void FeatureTest::a_point_tells_its_values() {
 
 void FeatureTest::pictures_of_any_size() {
   Shown shown({sample_file(folder_)});
-  PictureDialog dialog(shown.window.view(), &shown.window);
+  PictureDialog dialog(shown.view(), &shown);
   dialog.show();
   const auto combo = [&](const char* name) { return dialog.findChild<QComboBox*>(QLatin1String(name)); };
   combo("pictureSize")->setCurrentIndex(1);
   const QString path = folder_.filePath(QStringLiteral("twice.png"));
   QVERIFY(dialog.save(path));
   const QImage twice(path);
-  QCOMPARE(twice.size(), shown.window.view().size() * 2);
+  QCOMPARE(twice.size(), shown.view().size() * 2);
   QVERIFY(count_colors(twice) >= 64);
   combo("pictureGround")->setCurrentIndex(1);
   combo("pictureExtras")->setCurrentIndex(2);
@@ -229,12 +219,11 @@ void FeatureTest::pictures_of_any_size() {
   QVERIFY(!dialog.save(QStringLiteral("/nonexistent-folder/x.png")));
   QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("pictureTrouble"))->isVisible());
   settle();
-  QVERIFY2(count_colors(shown.window.view().picture()) >= 64, "the window's own picture is spoilt");
+  QVERIFY2(count_colors(shown.view().picture()) >= 64, "the window's own picture is spoilt");
 }
 
 void FeatureTest::filter_and_groups() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const auto rows = [&] { return part<QTableView>(window, "holesTable")->model()->rowCount(); };
   const int all = rows();
   key(window, Qt::Key_L, Qt::ControlModifier);
@@ -243,8 +232,7 @@ void FeatureTest::filter_and_groups() {
   part<QLineEdit>(window, "holesFilter")->clear();
   const int hole = first_hole(window.document());
   window.selection().select({hole});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   part<QComboBox>(window, "holesGroup")->setCurrentIndex(2);
   QCOMPARE(rows(), 1);
   QVERIFY2(window.selection().selected() == std::set<int>{hole}, "narrowing the table must not change the selection");
@@ -270,7 +258,7 @@ void FeatureTest::help_is_complete() {
 void FeatureTest::every_control_has_a_name_and_words() {
   Shown shown({sample_file(folder_)});
   QStringList nameless;
-  for (QWidget* widget : shown.window.findChildren<QWidget*>()) {
+  for (QWidget* widget : shown.findChildren<QWidget*>()) {
     const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox") ||
                          widget->inherits("QAbstractSpinBox") || widget->inherits("QAbstractSlider") ||
                          widget->inherits("QTableView");
@@ -283,7 +271,7 @@ void FeatureTest::every_control_has_a_name_and_words() {
     if (!named || !explained) nameless << widget->objectName();
   }
   QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QStringLiteral(", "))));
-  for (QAction* action : shown.window.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
+  for (QAction* action : shown.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
     if (!action->objectName().isEmpty()) QVERIFY2(!action->toolTip().isEmpty(), qPrintable(action->objectName()));
 }
 
@@ -306,11 +294,10 @@ void FeatureTest::a_german_window_is_german_throughout() {
   QStringList english;
   {
     Shown shown({sample_file(folder_)});
-    press(shown.window, "fill");
-    wait_idle(shown.window);
-    for (QAction* action : shown.window.findChildren<QAction*>())
+    press_and_wait(shown, "fill");
+    for (QAction* action : shown.findChildren<QAction*>())
       if (german.value(action->text()).toString(action->text()) != action->text()) english << action->text();
-    for (QWidget* widget : shown.window.findChildren<QWidget*>())
+    for (QWidget* widget : shown.findChildren<QWidget*>())
       for (const QString& words : words_on(*widget))
         if (german.value(words).toString(words) != words) english << words;
   }
@@ -319,8 +306,7 @@ void FeatureTest::a_german_window_is_german_throughout() {
 }
 
 void FeatureTest::a_large_scan_is_filled_before_its_curvature_is_known() {
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   const Document& document = window.document();
   const TriangleSoup ball = cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0.999; });  // 327 000 triangles
   window.open(scan_file(folder_, QStringLiteral("ball.ply"), ball));
@@ -354,8 +340,7 @@ void FeatureTest::no_long_gaps_on_the_bunny() {
   if (!at_length()) QSKIP(for_the_night);
   if (!QFile::exists(bunny)) QSKIP("bunny.ply is not in the shared folder");
   GapMeter gaps;
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   settle();
   gaps.report("bunny: the window appears");
   QElapsedTimer clock;
@@ -376,8 +361,7 @@ void FeatureTest::no_long_gaps_on_the_bunny() {
   settle();
   gaps.report("bunny: hover");
   key(window, Qt::Key_Escape);
-  press(window, "fill");
-  wait_idle(window);
+  press_and_wait(window, "fill");
   settle();
   gaps.report("bunny: fill");
   press(window, "run");
@@ -386,8 +370,7 @@ void FeatureTest::no_long_gaps_on_the_bunny() {
   key(window, Qt::Key_Escape);
   settle();
   gaps.report("bunny: cancel");
-  press(window, "fillAndSmooth");
-  wait_idle(window, 300);
+  press_and_wait(window, "fillAndSmooth", 300);
   settle();
   gaps.report("bunny: to steady state");
   for (Qt::Key digit : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_1}) {
@@ -406,14 +389,12 @@ void FeatureTest::no_long_gaps_on_the_bunny() {
 }
 
 void FeatureTest::undo_keeps_within_its_memory() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.undo().set_budget(1);
   const int first = first_hole(window.document());
   for (int loop : {first, first + 1}) {
     window.selection().select({loop});
-    press(window, "fill");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fill"));
   }
   QCOMPARE(window.document().patches().size(), std::size_t(2));
   // The latest change can always be taken back; the one before it has been forgotten.
@@ -432,8 +413,7 @@ void FeatureTest::memory_is_given_back() {
     const auto memory = mallinfo2();
     return (memory.uordblks + memory.hblkhd) >> 20;
   };
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   // Many points in the scan and its shape, and patches with timelines.
   const QString ball = scan_file(folder_, QStringLiteral("much.ply"),
                                  cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0.999; }));

@@ -144,8 +144,7 @@ void FilmTest::a_gif_keeps_colors_and_times() {
     QCOMPARE(film.delays[p], 10 * times[p]);
     // Dithering scatters single pixels; means of squares are the colors that the eye sees.
     const QImage seen = film.pictures[p].scaled(20, 15, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    const QImage wanted =
-        image_of(pictures[static_cast<std::size_t>(p)]).scaled(20, 15, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const QImage wanted = image_of(pictures[p]).scaled(20, 15, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     QVERIFY2(mean_difference(seen, wanted) < 3, qPrintable(QString::number(mean_difference(seen, wanted))));
   }
   QCOMPARE(film.pictures[1], film.pictures[2]);  // what stands still does not flicker
@@ -166,8 +165,7 @@ void FilmTest::at_most_ten_pictures_a_second() {
 }
 
 void FilmTest::the_window_writes_the_flow() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QVERIFY(!window.findChild<QAction*>(QStringLiteral("film"))->isEnabled());  // there is no flow yet
   run_a_flow(window);
   const QPointer<FilmDialog> dialog = opened(window);
@@ -192,8 +190,7 @@ void FilmTest::the_window_writes_the_flow() {
 }
 
 void FilmTest::a_film_given_up_leaves_no_file() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   run_a_flow(window);
   const QPointer<FilmDialog> dialog = opened(window);
   QVERIFY(dialog);
@@ -214,8 +211,7 @@ void FilmTest::a_film_given_up_leaves_no_file() {
 }
 
 void FilmTest::a_film_that_cannot_be_written_says_so() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   run_a_flow(window);
   const QPointer<FilmDialog> dialog = opened(window);
   QVERIFY(dialog);
@@ -254,11 +250,9 @@ void FilmTest::the_command_line_writes_the_flow() {
 }
 
 void FilmTest::a_report_shows_each_patch() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QVERIFY(!window.findChild<QAction*>(QStringLiteral("report"))->isEnabled());  // there is no patch yet
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   const Document& document = window.document();
   const Viewpoint before = window.view().viewpoint();
   QSignalSpy written(&window.report(), &ReportWriter::written);
@@ -313,10 +307,8 @@ void FilmTest::a_report_shows_each_patch() {
 }
 
 void FilmTest::a_report_given_up_leaves_no_file() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  Shown window({sample_file(folder_)});
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QSignalSpy failed(&window.report(), &ReportWriter::failed);
   window.report().write(path("none.html"));
   auto* progress = window.findChild<QProgressDialog*>(QStringLiteral("reportProgress"));

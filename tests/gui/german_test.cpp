@@ -106,8 +106,7 @@ void GermanTest::no_english_message_is_shown() {
   QFETCH(QString, button);
   QFETCH(int, boundary);
   QFETCH(QString, told);
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   std::set<int> all;
   for (int loop = 0; loop < window.document().loop_count(); ++loop) all.insert(loop);
   window.selection().select(all);
@@ -124,8 +123,7 @@ void GermanTest::no_english_message_is_shown() {
 }
 
 void GermanTest::a_file_that_cannot_be_read_is_told_in_german() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const QString path = folder_.filePath(QStringLiteral("bad.ply"));
   QFile bad(path);
   QVERIFY(bad.open(QIODevice::WriteOnly));

@@ -57,8 +57,7 @@ void GuidesTest::edges_are_seen_removed_and_drawn() {
   const TriangleSoup cube = test::make_cube(16);
   const QString path = scan_file(folder_, QStringLiteral("cube.ply"),
                                  cut(cube, [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.3; }));
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   QVERIFY(fly(window, 0));
   key(window, Qt::Key_E, Qt::ShiftModifier);
   QVERIFY(window.tools().panel()->tool() == Tool::edges);
@@ -107,8 +106,7 @@ void GuidesTest::edges_are_seen_removed_and_drawn() {
 
 void GuidesTest::a_mirror_image_is_seen_and_copied() {
   const test::BumpyEllipsoid model;
-  Shown shown({scan_file(folder_, QStringLiteral("bumps.ply"), model.open_mesh(4))});
-  MainWindow& window = shown.window;
+  Shown window({scan_file(folder_, QStringLiteral("bumps.ply"), model.open_mesh(4))});
   key(window, Qt::Key_M, Qt::ShiftModifier);
   QVERIFY(window.tools().panel()->tool() == Tool::mirror);
   const MirrorGuide& guide = window.tools().mirror_guide();
@@ -143,8 +141,7 @@ void GuidesTest::a_mirror_image_is_seen_and_copied() {
 
   part<QCheckBox>(window, "mirrorUse")->setChecked(true);
   window.selection().select({0});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY(window.document().patches().front().state->method == Method::mirror_image);
   QVERIFY(command_makes_the_same(window, QStringLiteral("--mirror-plane"), QStringLiteral("bumps-filled.ply")));
 }

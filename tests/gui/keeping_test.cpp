@@ -22,8 +22,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
-#include <QPushButton>
-#include <QScopeGuard>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -32,7 +30,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
 #include <map>
 
 using namespace loopmend;
@@ -76,8 +73,7 @@ class KeepingTest : public QObject {
 };
 
 void KeepingTest::preferences_count_at_once_and_stay() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const QImage light = window.view().picture();
   trigger(window, "preferences");
   auto* dialog = window.findChild<QDialog*>(QStringLiteral("preferencesDialog"));
@@ -129,8 +125,7 @@ void KeepingTest::recent_files_are_listed_opened_and_forgotten() {
   clear_recent_files();
   const QString first = sample_file(folder_);
   const QString second = write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 2);
-  Shown shown({first});
-  MainWindow& window = shown.window;
+  Shown window({first});
   window.open(second);
   QVERIFY(wait_idle(window));
   QCOMPARE(recent_files(), (QStringList{second, first}));
@@ -156,17 +151,14 @@ void KeepingTest::recent_files_are_listed_opened_and_forgotten() {
 void KeepingTest::closing_saves_first_if_wanted() {
   const QString path = folder_.filePath(QStringLiteral("closing.loopmend"));
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
+    Shown window({sample_file(folder_)});
     const int hole = first_hole(window.document());
     window.selection().select({hole});
-    press(window, "fill");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fill"));
     window.controller().save_session(path);
     QVERIFY(wait_idle(window));
     window.selection().select({hole + 1});
-    press(window, "fill");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fill"));
     QVERIFY2(!window.close(), "unsaved work: it should ask");
     press(window, "answerCancel");
     settle();
@@ -177,16 +169,14 @@ void KeepingTest::closing_saves_first_if_wanted() {
   }
   Shown shown({path});
   QVERIFY(shown.ready);
-  QCOMPARE(shown.window.document().patches().size(), std::size_t(2));
+  QCOMPARE(shown.document().patches().size(), std::size_t(2));
 }
 
 void KeepingTest::closing_a_scan_asks_before_its_patches_go() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   auto* files = window.findChild<FileController*>();
   window.selection().select({first_hole(window.document())});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   files->close_scan(0);
   QVERIFY2(window.document().has_scan(), "unsaved work: it should ask");
   press(window, "answerCancel");
@@ -200,12 +190,10 @@ void KeepingTest::closing_a_scan_asks_before_its_patches_go() {
 }
 
 void KeepingTest::export_offers_to_smooth_initial_patches() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   auto* files = window.findChild<FileController*>();
   window.selection().select({first_hole(window.document())});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   const QString path = folder_.filePath(QStringLiteral("smoothed.ply"));
   files->export_to(path);
   QVERIFY(!window.controller().busy() && !QFile::exists(path));
@@ -238,12 +226,10 @@ void KeepingTest::a_session_is_looked_at_as_before() {
   Viewpoint from;
   QImage picture;
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
+    Shown window({sample_file(folder_)});
     const int hole = first_hole(window.document());
     window.selection().select({hole});
-    press(window, "fill");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fill"));
     key(window, Qt::Key_4);
     key(window, Qt::Key_W);
     key(window, Qt::Key_M);
@@ -254,9 +240,8 @@ void KeepingTest::a_session_is_looked_at_as_before() {
     picture = window.view().picture();
     QVERIFY(window.close());
   }
-  Shown shown({path});
-  MainWindow& window = shown.window;
-  QVERIFY(shown.ready);
+  Shown window({path});
+  QVERIFY(window.ready);
   const Viewpoint now = window.view().viewpoint();
   QVERIFY(near(now.eye, from.eye) && near(now.focus, from.focus) && near(now.up, from.up));
   QCOMPARE(window.view().look().shading, Shading::zebra);
@@ -270,16 +255,16 @@ void KeepingTest::a_session_is_looked_at_as_before() {
 void KeepingTest::the_layout_is_kept_and_fits_a_small_screen() {
   {
     Shown shown({sample_file(folder_)});
-    const QSize least = shown.window.minimumSizeHint();
+    const QSize least = shown.minimumSizeHint();
     QVERIFY2(least.width() <= 1260 && least.height() <= 670,
              qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
-    shown.window.resize(1200, 700);
-    part<QDockWidget>(shown.window, "inspectDock")->show();
-    part<QDockWidget>(shown.window, "sceneDock")->hide();
-    trigger(shown.window, "zebra");
-    trigger(shown.window, "wireframe");
+    shown.resize(1200, 700);
+    part<QDockWidget>(shown, "inspectDock")->show();
+    part<QDockWidget>(shown, "sceneDock")->hide();
+    trigger(shown, "zebra");
+    trigger(shown, "wireframe");
     settle();
-    shown.window.keep_layout();
+    shown.keep_layout();
   }
   MainWindow next;
   next.restore_layout();
@@ -340,8 +325,7 @@ void KeepingTest::no_button_moves_under_the_mouse() {
   QFETCH(QSize, size);
   install_language(language);
   const auto back = qScopeGuard([] { install_language(QStringLiteral("en")); });
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.resize(size);
   QStringList moved;
   std::map<QByteArray, QPoint> first;
@@ -381,8 +365,7 @@ void KeepingTest::no_button_moves_under_the_mouse() {
   QVERIFY(wait_idle(window));
   look("one filled");
   window.selection().select({});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   look("all filled");
   window.selection().select({0});
   look("the outer rim selected");
@@ -393,8 +376,7 @@ void KeepingTest::no_button_moves_under_the_mouse() {
 }
 
 void KeepingTest::states_are_whole_with_every_column() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   auto* table = part<QTableView>(window, "holesTable");
   for (int column = 0; column < HoleTable::column_count; ++column) table->setColumnHidden(column, false);
   window.resize(1260, 680);
@@ -408,8 +390,7 @@ void KeepingTest::states_are_whole_with_every_column() {
     return true;
   };
   QVERIFY(all_are_whole());
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY(all_are_whole());
 }
 
@@ -418,7 +399,7 @@ void KeepingTest::what_will_not_be_saved_is_told_on_opening() {
   write_mesh(path.toStdString(), cut(make_icosphere(2), [](const Vec3& p) { return p.z() > 0.8; }));
   const auto told = [&] {
     Shown shown({path});
-    return labels::import_summary(*shown.window.document().scan(shown.window.document().scans().front()));
+    return labels::import_summary(*shown.document().scan(shown.document().scans().front()));
   };
   QVERIFY(!told().contains(QStringLiteral("saved")));
   QFile file(path);

@@ -26,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -87,8 +86,7 @@ void measure_hover(MainWindow& window) {
 }
 
 void measure_opening(const QString& path) {
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   linger(2500);
   GapMeter gaps;
   QElapsedTimer clock;
@@ -109,8 +107,7 @@ void measure_opening(const QString& path) {
   gaps.report("hovering");
   window.selection().select({0});
   clock.restart();
-  press(window, "fillAndSmooth");
-  wait_idle(window);
+  press_and_wait(window, "fillAndSmooth");
   std::printf("a hole filled and smoothed after %.2f s\n", seconds(clock));
   linger(500);
   gaps.report("filled and smoothed");
@@ -123,8 +120,7 @@ enum class Start { at_once, after_a_moment };
 void measure_gaps(const QString& path, Start start) {
   std::printf(start == Start::at_once ? "a file opened at once:\n" : "a file opened after 3 s:\n");
   GapMeter gaps;
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   gaps.report("the window appears");
   if (start == Start::after_a_moment) {
     linger(3000);
@@ -133,11 +129,9 @@ void measure_gaps(const QString& path, Start start) {
   window.open(path);
   wait_until([&] { return window.document().has_scan() && !window.controller().busy(); });
   gaps.report("bunny opened");
-  press(window, "fill");
-  wait_idle(window);
+  press_and_wait(window, "fill");
   gaps.report("filled at once");
-  press(window, "fillAndSmooth");
-  wait_idle(window, 300);
+  press_and_wait(window, "fillAndSmooth", 300);
   gaps.report("to steady state");
   for (Qt::Key digit : {Qt::Key_4, Qt::Key_2, Qt::Key_3, Qt::Key_5, Qt::Key_1}) {
     key(window, digit);
@@ -156,12 +150,10 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   const QString path = folder.filePath(QStringLiteral("million.ply"));
   // 1.3 million triangles; the cap that is missing takes 18 000 of them.
   write_mesh(path.toStdString(), cut(make_icosphere(8), [](const Vec3& p) { return p.z() > 0.9725; }));
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   window.view().fly_to(0);
   linger(2000);
-  press(window, "fill");
-  wait_idle(window, 600);
+  press_and_wait(window, "fill", 600);
   part<QSlider>(window, "sigma")->setValue(-20);
   const OpenPatch* patch = window.document().patch_of(0);
   if (!patch) return;
@@ -203,7 +195,7 @@ using Frames = std::array<int, views>;
 
 Frames frames_of(CompareWindow& window) {
   Frames frames{};
-  for (int k = 0; k < views; ++k) frames[static_cast<std::size_t>(k)] = window.flow_view(k).canvas().frames();
+  for (int k = 0; k < views; ++k) frames[k] = window.flow_view(k).canvas().frames();
   return frames;
 }
 
@@ -229,7 +221,7 @@ void move_cameras(CompareWindow& window, const char* what) {
 }
 
 /// Were there no flows to be computed: two states, to and fro.
-void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const SurfaceShape>, 2>& states) {
+void draw_alone(CompareWindow& window, const std::array<SurfaceShapePtr, 2>& states) {
   const Frames before = frames_of(window);
   QElapsedTimer clock;
   clock.start();
@@ -257,7 +249,7 @@ void draw_alone(CompareWindow& window, const std::array<std::shared_ptr<const Su
 }
 
 /// The state, swollen a little.
-std::shared_ptr<const SurfaceShape> swollen(const SurfaceShape& shape) {
+SurfaceShapePtr swollen(const SurfaceShape& shape) {
   auto other = std::make_shared<SurfaceShape>(shape);
   for (float& x : other->points) x *= 1.03F;
   return other;
@@ -269,7 +261,7 @@ void measure_compare(const QTemporaryDir& folder, Part part_of_it) {
   const QString large = folder.filePath(QStringLiteral("large.ply"));
   write_mesh(large.toStdString(), cut(make_icosphere(6), [](const Vec3& p) { return p.z() > 0.5; }));
   Shown shown({large});
-  CompareWindow* window = shown.window.comparisons().compare_holes({});
+  CompareWindow* window = shown.comparisons().compare_holes({});
   if (!QTest::qWaitForWindowExposed(window)) return;
   auto* run = window->findChild<QPushButton*>(QStringLiteral("compareRun"));
   wait_until([&] { return run->isEnabled(); }, 240);
@@ -320,24 +312,20 @@ void measure_compare(const QTemporaryDir& folder, Part part_of_it) {
 }
 
 void measure_memory(const QTemporaryDir& folder) {
-  Shown shown({sample_file(folder)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder)});
   const long sample = megabytes();
   window.open(write_sheet_with_holes(folder.filePath(QStringLiteral("sheet.ply")), 30));
   wait_idle(window);
   const long opened = megabytes();
-  press(window, "fill");
-  wait_idle(window, 200);
-  press(window, "fillAndSmooth");
-  wait_idle(window, 200);
+  press_and_wait(window, "fill", 200);
+  press_and_wait(window, "fillAndSmooth", 200);
   const long filled = megabytes();
   while (window.undo().can_undo()) window.undo().undo();
   linger(300);
   const long undone = megabytes();
   // Undone is not forgotten: it can be done again, until something else is.
   window.selection().select({first_hole(window.document())});
-  press(window, "fill");
-  wait_idle(window);
+  press_and_wait(window, "fill");
   linger(300);
   const long forgotten = megabytes();
   window.controller().open({sample_file(folder)}, OpenMode::replace);

@@ -25,8 +25,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
-
 using namespace loopmend;
 using namespace loopmend::testing;
 
@@ -146,8 +144,7 @@ void MessagesTest::a_message_is_seen_whole() {
   QString error, question;
   bool error_names_it = false, question_names_it = false, still_whole = false;
   {
-    Shown shown({path});
-    MainWindow& window = shown.window;
+    Shown window({path});
     window.resize(size.expandedTo(window.minimumSizeHint()));
     window.resizeDocks({part<QDockWidget>(window, "holesDock"), part<QDockWidget>(window, "patchDock")}, {480, 320},
                        Qt::Horizontal);
@@ -167,8 +164,7 @@ void MessagesTest::a_message_is_seen_whole() {
     still_whole = hidden_part(window).isEmpty();
     window.resize(window.width() - 60, window.height());
     window.selection().select({first_hole(window.document())});
-    press(window, "fill");
-    wait_idle(window);
+    press_and_wait(window, "fill");
     window.findChild<FileController*>()->close_scan(window.document().scans().front());
     settle();
     question = hidden_part(window);
@@ -186,18 +182,17 @@ void MessagesTest::a_message_is_seen_whole() {
 void MessagesTest::messages_name_their_file() {
   const auto said_of = [this](const QString& path) {
     Shown shown({sample_file(folder_)});
-    shown.window.open(QStringList(path), OpenMode::add);
-    wait_idle(shown.window);
+    shown.open(QStringList(path), OpenMode::add);
+    wait_idle(shown);
     settle();
-    auto* banner = part<Banner>(shown.window, "banner");
+    auto* banner = part<Banner>(shown, "banner");
     return banner->isVisible() ? banner->text() : QString();
   };
   const QString closed = said_of(file(QStringLiteral("closed.ply"), make_icosphere(2)));
   QVERIFY2(closed.contains(QStringLiteral("closed.ply")), qPrintable(closed));
   const QString missing = said_of(folder_.filePath(QStringLiteral("missing.ply")));
   QVERIFY2(missing.contains(QStringLiteral("missing.ply")), qPrintable(missing));
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.controller().export_to(QStringLiteral("/nonexistent-folder/out.ply"));
   QVERIFY(wait_idle(window));
   const QString unwritable = part<Banner>(window, "banner")->text();
@@ -209,20 +204,17 @@ void MessagesTest::messages_name_their_file() {
 }
 
 void MessagesTest::status_bar_timeline_and_plot_tell_the_same_step() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   const auto same = [&](int steps) {
     const QString wrong = disagreement(window, steps);
     if (!wrong.isEmpty()) qWarning("%s", qPrintable(wrong));
     return wrong.isEmpty();
   };
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QVERIFY(same(0));
   window.selection().select({hole});
-  press(window, "step");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "step"));
   QCOMPARE(steps_of(window, hole), 1);
   QVERIFY(same(1));
   QVERIFY(says_ready(window));
@@ -238,8 +230,7 @@ void MessagesTest::status_bar_timeline_and_plot_tell_the_same_step() {
   QVERIFY(!says_ready(window));
   QVERIFY(!part<QSlider>(window, "timeline")->isEnabled());
   QCOMPARE(part<QPushButton>(window, "run")->text().remove(QLatin1Char('&')), QStringLiteral("Pause"));
-  press(window, "run");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "run"));
   const int paused = steps_of(window, hole);
   QVERIFY(paused > 1);
   QVERIFY(same(paused));
@@ -252,8 +243,7 @@ void MessagesTest::status_bar_timeline_and_plot_tell_the_same_step() {
   QVERIFY(same(1));
   key(window, Qt::Key_Y, Qt::ControlModifier);
   QVERIFY(same(paused));
-  press(window, "step");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "step"));
   QVERIFY(same(paused + 1));
 
   // Another hole, none, and then the one that has run.
@@ -273,8 +263,7 @@ void MessagesTest::status_bar_timeline_and_plot_tell_the_same_step() {
 
   // Several at once: the longest run is told, by all three.
   window.selection().select({});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY(steps_of_timeline(window) > 0);
   QVERIFY(same(steps_of_timeline(window)));
 }
@@ -290,13 +279,11 @@ void MessagesTest::the_plot_draws_what_the_steps_lower_data() {
 void MessagesTest::the_plot_draws_what_the_steps_lower() {
   QFETCH(int, boundary);
   QFETCH(QString, legend);
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   window.selection().select({hole});
   part<QComboBox>(window, "boundary")->setCurrentIndex(boundary);
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 120));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 120));
   const RunCurves run(*window.document().patch_of(hole));
   QCOMPARE(run.fairing, legend.isEmpty());
   QCOMPARE(run.lowered.empty(), legend.isEmpty());
@@ -347,16 +334,14 @@ void MessagesTest::whatever_cannot_be_filled_leads_on() {
   QFETCH(int, kind);
   QFETCH(QString, next);
   QFETCH(QString, named);
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   const Document& document = window.document();
   int loop = document.loop_count() - 1;
   while (loop >= 0 && static_cast<int>(document.loop(loop).kind) != kind) --loop;
   QVERIFY2(loop >= 0, "the file has no such loop");
   window.selection().select({loop});
   if (next == QStringLiteral("trimAction")) {
-    press(window, "fill");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fill"));
     QCOMPARE(document.state(loop), HoleState::failed);
     const QString said = part<Banner>(window, "banner")->text();
     QVERIFY2(said.contains(QStringLiteral("what may help")), qPrintable(said));
@@ -386,11 +371,9 @@ void MessagesTest::a_patch_that_cuts_the_surface_leads_on() {
   const TriangleSoup needle = make_icosphere(1);
   for (const Vec3& p : needle.points) soup.points.emplace_back(0.1 * p.x(), 0.1 * p.y(), 0.9 + p.z());
   for (const Triangle& t : needle.triangles) soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  Shown shown({file(QStringLiteral("needle.ply"), soup)});
-  MainWindow& window = shown.window;
+  Shown window({file(QStringLiteral("needle.ply"), soup)});
   window.selection().select({0});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   const HoleState state = window.document().state(0);
   QVERIFY2(state == HoleState::cutting || state == HoleState::failed,
            qPrintable(QString::number(static_cast<int>(state))));
@@ -424,10 +407,8 @@ void MessagesTest::the_seam_table_shows_its_values_whole() {
   QStringList cut_off;
   int cells = 0, changed = 0;
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
-    press(window, "fillAndSmooth");
-    wait_idle(window);
+    Shown window({sample_file(folder_)});
+    press_and_wait(window, "fillAndSmooth");
     const auto* table = part<QTableWidget>(window, "seamTable");
     wait_until([&] { return table->rowCount() == static_cast<int>(window.document().patches().size()); });
     for (const QSize& size : {window.size(), QSize(1280, 720)}) {

@@ -8,7 +8,6 @@
 #include <QAction>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
 #include <QScreen>
@@ -58,8 +57,7 @@ void PaletteTest::words_are_found_by_their_starts_first() {
 }
 
 void PaletteTest::it_has_every_command_of_the_menus() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Palette palette(window);
   QStringList shown_texts;
   for (int k = 0; k < palette.list->count(); ++k)
@@ -77,8 +75,7 @@ void PaletteTest::it_has_every_command_of_the_menus() {
 }
 
 void PaletteTest::typing_and_return_run_a_command() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Palette palette(window);
   QTest::keyClicks(palette.typed, QStringLiteral("zeb"));
   QCOMPARE(palette.first(), QStringLiteral("Zebra"));
@@ -96,8 +93,7 @@ void PaletteTest::typing_and_return_run_a_command() {
 }
 
 void PaletteTest::what_cannot_be_done_is_shown_and_not_run() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Palette palette(window);
   QTest::keyClicks(palette.typed, QStringLiteral("discard"));
   QCOMPARE(palette.first(), QStringLiteral("Discard"));

@@ -11,7 +11,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QDockWidget>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
@@ -51,7 +50,7 @@ int extreme_point(MainWindow& window, int loop, const Vec3& way) {
   const std::vector<int>& vertices = window.document().loop(loop).vertices;
   const int best =
       *std::max_element(vertices.begin(), vertices.end(), [&](int a, int b) { return along(a) < along(b); });
-  return scan.model->soup_vertex[static_cast<std::size_t>(best)];
+  return scan.model->soup_vertex[best];
 }
 
 void click_vertex(MainWindow& window, int soup_point, Qt::KeyboardModifiers with = {}) {
@@ -72,7 +71,7 @@ double farthest(MainWindow& window) {
   for (const Vec3& p : last_scan(window).model->soup.points) most = std::max(most, p.norm());
   for (const OpenPatch& open : window.document().patches())
     for (int i = 0; i < open.state->patch.free_count; ++i)
-      most = std::max(most, open.state->patch.to_mesh(open.state->patch.positions[static_cast<std::size_t>(i)]).norm());
+      most = std::max(most, open.state->patch.to_mesh(open.state->patch.positions[i]).norm());
   return most;
 }
 
@@ -92,23 +91,17 @@ class PartsTest : public QObject {
   void the_label_under_the_mouse_tells_the_state_of_now();
 
  private:
-  QString file(const char* name, const TriangleSoup& soup) {
-    const QString path = folder_.filePath(QLatin1String(name));
-    write_mesh(path.toStdString(), soup);
-    return path;
-  }
+  QString file(const char* name, const TriangleSoup& soup) { return scan_file(folder_, QLatin1String(name), soup); }
   QTemporaryDir folder_;
 };
 
 void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
-  Shown shown({file("part.ply", two_holes())});
-  MainWindow& window = shown.window;
+  Shown window({file("part.ply", two_holes())});
   const Document& document = window.document();
   QCOMPARE(document.loop_count(), 2);
   // The round hole is filled before, and its patch outlasts the bridge over the other one.
   window.selection().select({1});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   const PatchStatePtr round = document.patch_of(1)->state;
   window.view().look_from(NamedView::front);
   QVERIFY(fly(window, 0));
@@ -132,7 +125,7 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
     double least = 1e300;
     for (int v : document.loop(0).vertices) {
       const double d = (Vec3(scan.model->mesh.point(TriMesh::VertexHandle(v))) - wanted).norm();
-      if (d < least) least = d, best = scan.model->soup_vertex[static_cast<std::size_t>(v)];
+      if (d < least) least = d, best = scan.model->soup_vertex[v];
     }
     return best;
   };
@@ -166,8 +159,7 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
 }
 
 void PartsTest::ctrl_fills_the_longer_part() {
-  Shown shown({file("longer.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }))});
-  MainWindow& window = shown.window;
+  Shown window({file("longer.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }))});
   QVERIFY(fly(window, 0));
   key(window, Qt::Key_G, Qt::ShiftModifier);
   QVERIFY(window.tools().panel()->tool() == Tool::fill_part);
@@ -186,9 +178,8 @@ void PartsTest::ctrl_fills_the_longer_part() {
   QCOMPARE(document.scans(), std::vector<int>{0});
   const OpenedScan& scan = *document.scan(0);
   const std::vector<int>& vertices = document.loop(0).vertices;
-  window.controller().fill_part({0, scan.model->soup_vertex[static_cast<std::size_t>(vertices[0])],
-                                 scan.model->soup_vertex[static_cast<std::size_t>(vertices[1])],
-                                 scan.model->soup_vertex[static_cast<std::size_t>(vertices[1])]},
+  window.controller().fill_part({0, scan.model->soup_vertex[vertices[0]], scan.model->soup_vertex[vertices[1]],
+                                 scan.model->soup_vertex[vertices[1]]},
                                 {});
   QVERIFY(wait_idle(window));
   QCOMPARE(document.scans(), std::vector<int>{0});
@@ -200,8 +191,7 @@ void PartsTest::a_spike_is_erased_and_filled() {
   const Vec3 peak = Vec3(0.1, 0.2, 1).normalized();
   for (Vec3& p : ball.points)
     if ((p - peak).norm() < 0.12) p *= 1.5 - 4 * (p - peak).norm();
-  Shown shown({file("spike.ply", ball)});
-  MainWindow& window = shown.window;
+  Shown window({file("spike.ply", ball)});
   const Document& document = window.document();
   QCOMPARE(document.loop_count(), 0);
   QVERIFY(farthest(window) > 1.2);
@@ -226,25 +216,22 @@ void PartsTest::a_spike_is_erased_and_filled() {
 }
 
 void PartsTest::the_brush_trims_a_boundary() {
-  Shown shown({file("trimmed.ply", two_holes())});
-  MainWindow& window = shown.window;
+  Shown window({file("trimmed.ply", two_holes())});
   const Document& document = window.document();
   window.selection().select({1});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QVERIFY(fly(window, 0));
   key(window, Qt::Key_R);
   part<QSlider>(window, "regionRadius")->setValue(40);
   settle();  // the dock takes its place
   const int end = extreme_point(window, 0, {1, 0, 0});
-  const Vec3 place = document.scan(0)->model->soup.points[static_cast<std::size_t>(end)];
+  const Vec3 place = document.scan(0)->model->soup.points[end];
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, on_canvas(window, place));
   QVERIFY(window.tools().region().count() > 0);
   const std::size_t faces = document.scan(0)->model->soup.triangles.size(),
                     points = document.scan(0)->model->soup.points.size();
   const double length = document.loop(0).diameter;
-  press(window, "regionEraseFaces");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "regionEraseFaces"));
   QCOMPARE(document.scans(), std::vector<int>{1});
   QVERIFY(last_scan(window).model->soup.triangles.size() < faces);
   QVERIFY(last_scan(window).model->soup.points.size() < points);  // no vertex without a face is left behind
@@ -256,31 +243,27 @@ void PartsTest::the_brush_trims_a_boundary() {
   QCOMPARE(open_loops(window), 1);
   // It fits its new scan: what is exported is closed there.
   QCOMPARE(document.loop(document.patches().front().loops.front()).number, 2);
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QCOMPARE(open_loops(window), 0);
   const QString path = folder_.filePath(QStringLiteral("trimmed-filled.ply"));
   window.controller().export_to(path);
   QVERIFY(wait_idle(window));
   Shown exported({path});
   QVERIFY(exported.ready);
-  QCOMPARE(exported.window.document().loop_count(), 0);
+  QCOMPARE(exported.document().loop_count(), 0);
 }
 
 void PartsTest::erasing_takes_in_the_patch_that_it_meets() {
-  Shown shown({file("meets.ply", two_holes())});
-  MainWindow& window = shown.window;
+  Shown window({file("meets.ply", two_holes())});
   const Document& document = window.document();
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QCOMPARE(document.patches().size(), std::size_t(2));
   QVERIFY(fly(window, 1));
   key(window, Qt::Key_R);
   const Vec3 middle = document.loop(1).center.normalized();
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, on_canvas(window, middle));
   QVERIFY(window.tools().region().count() > 0);
-  press(window, "regionEraseFaces");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "regionEraseFaces"));
   // The rest of that patch is a part of the scan; the other patch stays one.
   QCOMPARE(document.patches().size(), std::size_t(1));
   QCOMPARE(open_loops(window), 1);
@@ -294,9 +277,9 @@ void PartsTest::a_boundary_is_parted_where_it_touches_itself() {
   TriangleSoup ball = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
   const SurfaceModel open = make_surface_model(ball);
   const BoundaryLoop loop = find_boundary_loops(open).front();
-  const int held = open.soup_vertex[static_cast<std::size_t>(loop.vertices.front())];
+  const int held = open.soup_vertex[loop.vertices.front()];
   // A flap that hangs at one vertex of the boundary, towards the middle of the hole.
-  const Vec3 from = ball.points[static_cast<std::size_t>(held)], way = loop.center - from;
+  const Vec3 from = ball.points[held], way = loop.center - from;
   const Vec3 side = way.cross(Vec3::UnitZ()).normalized() * 0.1;
   const int first = static_cast<int>(ball.points.size());
   ball.points.push_back(from + 0.4 * way + side);
@@ -304,8 +287,7 @@ void PartsTest::a_boundary_is_parted_where_it_touches_itself() {
   ball.points.push_back(from + 0.6 * way);
   ball.triangles.push_back({held, first, first + 1});
   ball.triangles.push_back({first, first + 2, first + 1});
-  Shown shown({file("touching.ply", ball)});
-  MainWindow& window = shown.window;
+  Shown window({file("touching.ply", ball)});
   const Document& document = window.document();
   QCOMPARE(document.loop_count(), 1);
   QAction* action = window.findChild<QAction*>(QStringLiteral("partAction"));
@@ -329,16 +311,14 @@ void PartsTest::a_ragged_bunny_hole_is_trimmed_and_filled() {
   const QString path = QStringLiteral(LOOPMEND_SHARED_DIR "/data/bunny.ply");
   if (!QFile::exists(path)) QSKIP("the shared scans are not here");
   for (int hole : {2, 3}) {
-    Shown shown({path});
-    MainWindow& window = shown.window;
+    Shown window({path});
     window.selection().select({hole});
     for (int ring = 0; ring < 3; ++ring) {
       trigger(window, "eraseRingAction");
       QVERIFY(wait_idle(window));
       QCOMPARE(window.selection().selected().size(), std::size_t(1));  // the widened hole
     }
-    press(window, "fillAndSmooth");
-    QVERIFY(wait_idle(window, 240));
+    QVERIFY(press_and_wait(window, "fillAndSmooth", 240));
     QCOMPARE(window.document().patches().size(), std::size_t(1));
     const SeamReport& seam = window.document().patches().front().state->seams.front();
     qInfo("hole %d: %.2f degrees rms, %.2f at most", hole + 1, seam.g1_rms_deg, seam.g1_max_deg);
@@ -349,15 +329,13 @@ void PartsTest::a_ragged_bunny_hole_is_trimmed_and_filled() {
 }
 
 void PartsTest::the_label_under_the_mouse_tells_the_state_of_now() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   const auto* overlay = window.findChild<ViewOverlay*>();
   window.selection().select({hole});
   window.selection().hover(hole);
   QVERIFY2(overlay->caption().endsWith(QStringLiteral("open")), qPrintable(overlay->caption()));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY2(!overlay->caption().endsWith(QStringLiteral("open")), qPrintable(overlay->caption()));
   press(window, "accept");
   QVERIFY2(overlay->caption().endsWith(QStringLiteral("accepted")), qPrintable(overlay->caption()));

@@ -7,10 +7,8 @@
 #include "io/read_mesh.h"
 #include "mesh/scan_attributes.h"
 #include "panels/banner.h"
-#include "samples/analytic_surfaces.h"
 #include "views/file_controller.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -62,11 +60,9 @@ void ProjectsTest::a_session_may_hold_its_scans() {
   QVERIFY(QFile::copy(sample_file(folder_), scan));
   PatchStatePtr patch;
   {
-    Shown shown({scan});
-    MainWindow& window = shown.window;
+    Shown window({scan});
     window.selection().select({first_hole(window.document())});
-    press(window, "fillAndSmooth");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fillAndSmooth"));
     patch = window.document().patches().front().state;
     const WhenAsked asked([&](QDialog& dialog) {
       dialog.findChild<QCheckBox*>(QStringLiteral("keepScans"))->click();
@@ -85,9 +81,8 @@ void ProjectsTest::a_session_may_hold_its_scans() {
   QVERIFY(QDir(folder_.path()).mkpath(QStringLiteral("elsewhere")) && QFile::rename(path, moved));
   const QString again = folder_.filePath(QStringLiteral("again.loopmend"));
   {
-    Shown shown({moved});
-    MainWindow& window = shown.window;
-    QVERIFY(shown.ready);
+    Shown window({moved});
+    QVERIFY(window.ready);
     QCOMPARE(window.document().first_scan().name, QStringLiteral("to-be-lost.ply"));
     QCOMPARE(window.document().patches().size(), std::size_t(1));
     QVERIFY(window.document().patches().front().state->patch.positions == patch->patch.positions);
@@ -97,19 +92,18 @@ void ProjectsTest::a_session_may_hold_its_scans() {
   }
   Shown shown({again});
   QVERIFY(shown.ready);
-  QCOMPARE(shown.window.document().patches().size(), std::size_t(1));
+  QCOMPARE(shown.document().patches().size(), std::size_t(1));
   // Where the scan has a file of its own, the session is small unless it is asked for.
   QVERIFY(QFile::copy(sample_file(folder_), scan));
   const QString small = folder_.filePath(QStringLiteral("small.loopmend"));
-  shown.window.controller().save_session(small, KeepScans::outside);
-  QVERIFY(wait_idle(shown.window));
+  shown.controller().save_session(small, KeepScans::outside);
+  QVERIFY(wait_idle(shown));
   QVERIFY(QFile(small).size() + QFile(scan).size() / 10 < QFile(again).size());
 }
 
 void ProjectsTest::damaged_sessions_with_scans_are_refused() {
   const QString path = folder_.filePath(QStringLiteral("sound.loopmend"));
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.controller().save_session(path, KeepScans::inside);
   QVERIFY(wait_idle(window));
   QFile file(path);
@@ -133,8 +127,7 @@ void ProjectsTest::damaged_sessions_with_scans_are_refused() {
 }
 
 void ProjectsTest::the_unit_is_chosen_shown_written_and_kept() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QVERIFY(window.document().unit().empty());
   QCOMPARE(header(window, diameter_column), QStringLiteral("Diameter"));
   choose_unit(window, "inch");
@@ -150,8 +143,7 @@ void ProjectsTest::the_unit_is_chosen_shown_written_and_kept() {
   // A scan in the place of this one keeps it.
   const std::vector<int>& vertices = window.document().loop(first_hole(window.document())).vertices;
   const std::vector<int>& soup = window.document().scan(0)->model->soup_vertex;
-  window.controller().bridge(0, soup[static_cast<std::size_t>(vertices[0])],
-                             soup[static_cast<std::size_t>(vertices[vertices.size() / 2])]);
+  window.controller().bridge(0, soup[vertices[0]], soup[vertices[vertices.size() / 2]]);
   QVERIFY(wait_idle(window));
   QVERIFY(window.document().scans().front() != 0);
   QCOMPARE(window.document().unit(), std::string("inch"));

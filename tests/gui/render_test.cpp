@@ -5,9 +5,7 @@
 #include "core/error.h"
 #include "mesh/boundary_loops.h"
 #include "samples/sample_scan.h"
-#include "scene/mesh_scene.h"
 #include "scene/offscreen_render.h"
-#include "scene/offscreen_window.h"
 #include "scene/shape_glide.h"
 
 #include <QFile>
@@ -15,7 +13,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <limits>
 #include <memory>

@@ -18,7 +18,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
@@ -129,12 +128,10 @@ class RepairTest : public QObject {
 };
 
 void RepairTest::verdict_follows_the_scene() {
-  Shown shown({write_open_sphere(folder_.filePath(QStringLiteral("open.ply")))});
-  MainWindow& window = shown.window;
+  Shown window({write_open_sphere(folder_.filePath(QStringLiteral("open.ply")))});
   QVERIFY(verdict_is_known(window));
   QCOMPARE(verdict(window), QStringLiteral("Not watertight: 1 open boundary loop"));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY(verdict_is_known(window));
   QCOMPARE(verdict(window), QStringLiteral("Watertight, ready to print"));
   window.undo().undo();
@@ -145,7 +142,7 @@ void RepairTest::verdict_follows_the_scene() {
 
 void RepairTest::export_dialog_tells_the_verdict() {
   Shown shown({write_open_sphere(folder_.filePath(QStringLiteral("asked.ply")))});
-  ExportDialog dialog(shown.window.print_check(), folder_.filePath(QStringLiteral("asked-filled.ply")),
+  ExportDialog dialog(shown.print_check(), folder_.filePath(QStringLiteral("asked-filled.ply")),
                       {QStringLiteral("PLY (*.ply *.ply.gz)"), QStringLiteral("STL (*.stl)")},
                       QStringLiteral("STL (*.stl)"));
   dialog.show();
@@ -157,8 +154,7 @@ void RepairTest::export_dialog_tells_the_verdict() {
 }
 
 void RepairTest::patches_are_exported_by_themselves() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const QString path = folder_.filePath(QStringLiteral("patches.ply"));
   QVERIFY(export_filled(window, path, [](QDialog& dialog, QLineEdit&) {
     dialog.findChild<QComboBox*>(QStringLiteral("exportContent"))->setCurrentIndex(1);
@@ -171,8 +167,7 @@ void RepairTest::patches_are_exported_by_themselves() {
 }
 
 void RepairTest::what_is_new_is_labelled() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const QString path = folder_.filePath(QStringLiteral("labelled.ply"));
   QVERIFY(export_filled(window, path, [&](QDialog& dialog, QLineEdit& name) {
     auto* labels = dialog.findChild<QCheckBox*>(QStringLiteral("exportNewFaces"));
@@ -205,8 +200,7 @@ void RepairTest::defects_are_listed_and_repaired_one_by_one() {
   soup.triangles.push_back(soup.triangles.front());
   const QString path = folder_.filePath(QStringLiteral("defects.ply"));
   write_mesh(path.toStdString(), soup);
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   RepairDialog* dialog = repair_dialog(window);
   QVERIFY(dialog && has_counted(dialog));
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
@@ -250,8 +244,7 @@ void RepairTest::bodies_become_one() {
   for (Vec3& p : other.points) p = radius * p + Vec3(0, 0, distance);  // the ball has vertices at both poles
   const QString path = folder_.filePath(QStringLiteral("two_balls.ply"));
   write_mesh(path.toStdString(), joined({ball, other}));
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   RepairDialog* dialog = repair_dialog(window);
   QVERIFY(dialog && has_counted(dialog));
   const QString count = bodies > 0 ? QString::number(bodies) : QStringLiteral("none");
@@ -274,12 +267,11 @@ void RepairTest::bodies_become_one() {
 void RepairTest::preparing_does_what_the_command_line_does_with_auto() {
   TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
   const Triangle t = soup.triangles[soup.triangles.size() / 2];
-  soup.points.push_back(1.5 * soup.points[static_cast<std::size_t>(t[0])]);
+  soup.points.push_back(1.5 * soup.points[t[0]]);
   soup.triangles.push_back({t[0], t[1], static_cast<int>(soup.points.size()) - 1});
   const QString path = folder_.filePath(QStringLiteral("fin.ply"));
   write_mesh(path.toStdString(), soup);
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   trigger(window, "prepareAction");
   QVERIFY(wait_idle(window));
   const OpenedScan& prepared = *window.document().scan(window.document().scans().front());
@@ -311,8 +303,7 @@ void RepairTest::fix_all_leaves_nothing_to_fix() {
   const QString scan = QStringLiteral(LOOPMEND_SHARED_DIR "/scans2/") + name;
   if (!at_length()) QSKIP(for_the_night);
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   RepairDialog* dialog = repair_dialog(window);
   QVERIFY(dialog && has_counted(dialog));
   fix(dialog, "repairAll");
@@ -333,8 +324,7 @@ void RepairTest::doll_becomes_printable() {
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
   QElapsedTimer clock;
   clock.start();
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   QVERIFY(verdict_is_known(window));
   QVERIFY(verdict(window).startsWith(QStringLiteral("Not watertight")));
   RepairDialog* dialog = repair_dialog(window);
@@ -342,8 +332,7 @@ void RepairTest::doll_becomes_printable() {
   fix(dialog, "repairAll");
   QVERIFY(wait_idle(window));
   dialog->close();
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY(verdict_is_known(window));
   qInfo("doll: %s after %lld ms", qPrintable(verdict(window)), clock.elapsed());
   QCOMPARE(verdict(window), QStringLiteral("Watertight, ready to print"));
@@ -359,8 +348,7 @@ void RepairTest::dragon_is_stitched_watertight() {
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
   QElapsedTimer clock;
   clock.start();
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   const auto loops_that_are = [&](LoopKind kind) {
     int count = 0;
     for (int loop = 0; loop < window.document().loop_count(); ++loop)
@@ -372,8 +360,7 @@ void RepairTest::dragon_is_stitched_watertight() {
   QCOMPARE(part<QAction>(window, "stitchAction")->text(), QStringLiteral("Stitc&h 407 cracks"));
   QVERIFY(verdict_is_known(window));
   QCOMPARE(verdict(window), QStringLiteral("Watertight but for 407 cracks: press Stitch"));
-  press(window, "stitch");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "stitch"));
   // Files are proposed beside it.
   QCOMPARE(window.document().first_scan().repaired_from, QFileInfo(scan).canonicalFilePath());
   QCOMPARE(loops_that_are(LoopKind::crack), 0);
@@ -386,16 +373,14 @@ void RepairTest::dragon_is_stitched_watertight() {
 }
 
 void RepairTest::a_dome_over_a_flat_loop_is_red() {
-  Shown shown({write_rough_bowl(folder_.filePath(QStringLiteral("bowl.ply")))});
-  MainWindow& window = shown.window;
+  Shown window({write_rough_bowl(folder_.filePath(QStringLiteral("bowl.ply")))});
   auto* table = part<QTableView>(window, "holesTable");
   const QModelIndex state = table->model()->index(0, HoleTable::state);
   const QColor red(190, 50, 30);
   window.selection().select({0});
   auto* boundary = part<QComboBox>(window, "boundary");
   boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::exact)));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 2 * minutes));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 2 * minutes));
   QVERIFY2(window.document().state(0) == HoleState::bad,
            qPrintable(labels::state(window.document().state(0)) +
                       QString::fromStdString(window.document().message(0).english())));
@@ -419,8 +404,7 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   key(window, Qt::Key_Z, Qt::ControlModifier);
   window.selection().select({0});
   boundary->setCurrentIndex(boundary->findData(static_cast<int>(BoundaryTrust::automatic)));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 2 * minutes));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 2 * minutes));
   QVERIFY(window.document().state(0) != HoleState::bad);
   window.selection().select({});
   settle();

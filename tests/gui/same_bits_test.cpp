@@ -70,12 +70,12 @@ TriangleSoup to_be_repaired() {
     }
   for (Triangle& t : soup.triangles) {
     double z = 0;
-    for (int v : t) z += soup.points[static_cast<std::size_t>(v)].z();
+    for (int v : t) z += soup.points[v].z();
     for (int& v : t)
       if (z > 0 && twin.contains(v)) v = twin[v];
   }
   const auto lowest = std::min_element(soup.triangles.begin(), soup.triangles.end(), [&](const auto& s, const auto& t) {
-    return soup.points[static_cast<std::size_t>(s[0])].z() < soup.points[static_cast<std::size_t>(t[0])].z();
+    return soup.points[s[0]].z() < soup.points[t[0]].z();
   });
   const Triangle fin{(*lowest)[0], (*lowest)[1], static_cast<int>(soup.points.size())};
   soup.points.emplace_back(0, 0, -2);
@@ -88,9 +88,9 @@ TriangleSoup pierced_sphere() {
   TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; });
   const SurfaceModel model = make_surface_model(soup);
   const BoundaryLoop loop = find_boundary_loops(model).front();
-  const auto at = [&](std::size_t k) { return model.soup_vertex[static_cast<std::size_t>(loop.vertices[k])]; };
+  const auto at = [&](std::size_t k) { return model.soup_vertex[loop.vertices[k]]; };
   const int a = at(0), b = at(1), tip = static_cast<int>(soup.points.size());
-  const Vec3 middle = (soup.points[static_cast<std::size_t>(a)] + soup.points[static_cast<std::size_t>(b)]) / 2;
+  const Vec3 middle = (soup.points[a] + soup.points[b]) / 2;
   const Vec3 outward = (middle - loop.center).normalized();
   soup.points.push_back(1.05 * middle);
   soup.points.push_back(0.9 * (middle + 0.12 * outward));
@@ -124,14 +124,11 @@ class SameBitsTest : public QObject {
 
 void SameBitsTest::where_the_flow_must_give_way() {
   const QString scan = write_obstructed_sphere(folder_.filePath(QStringLiteral("obstructed.ply")));
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   const Document& document = window.document();
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QCOMPARE(document.patches().size(), std::size_t(1));  // neighbours: one problem
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 240));
   // Together they would cut the plate: each by itself, and the large one takes a candidate that does not.
   QCOMPARE(document.patches().size(), std::size_t(2));
   const PatchState &large = *document.patch_of(0)->state, &small = *document.patch_of(1)->state;
@@ -152,11 +149,9 @@ void SameBitsTest::where_the_flow_must_give_way() {
 /// Holes of one patch that the engine solves apart are patches of their own from the first step on.
 void SameBitsTest::holes_solved_apart_are_watched() {
   const QString scan = write_noisy_sphere(folder_.filePath(QStringLiteral("noisy.ply")));
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   const Document& document = window.document();
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QCOMPARE(document.patches().size(), std::size_t(1));
   const PatchStatePtr together = document.patches().front().state;
   press(window, "run");
@@ -178,8 +173,7 @@ void SameBitsTest::holes_solved_apart_are_watched() {
   QCOMPARE(document.patches().size(), std::size_t(1));
   QCOMPARE(document.patches().front().state, together);
 
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 240));
   QCOMPARE(document.patches().size(), std::size_t(2));
   for (const OpenPatch& patch : document.patches()) {
     QVERIFY(is_filled(patch.state->status));
@@ -231,10 +225,10 @@ void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
   TriangleSoup dangling = cut(make_icosphere(4), [](const Vec3& p) { return p.z() + 0.1 * p.x() > 0.8; });
   const SurfaceModel open = make_surface_model(dangling);
   const BoundaryLoop loop = find_boundary_loops(open).front();
-  const int a = open.soup_vertex[static_cast<std::size_t>(loop.vertices[0])];
-  const int b = open.soup_vertex[static_cast<std::size_t>(loop.vertices[1])];
+  const int a = open.soup_vertex[loop.vertices[0]];
+  const int b = open.soup_vertex[loop.vertices[1]];
   // A triangle on one edge of the boundary, beyond the surface.
-  const Vec3 &from = dangling.points[static_cast<std::size_t>(a)], &to = dangling.points[static_cast<std::size_t>(b)];
+  const Vec3 &from = dangling.points[a], &to = dangling.points[b];
   dangling.points.push_back((from + to) / 2 + (loop.center - (from + to) / 2) * 0.1);
   dangling.triangles.push_back({a, b, static_cast<int>(dangling.points.size()) - 1});
   write_mesh(ragged.toStdString(), dangling);
@@ -250,12 +244,10 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
   QFETCH(QString, scan);
   QFETCH(QStringList, options);
   if (!QFile::exists(scan)) QSKIP("the shared scans are not here");
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   if (options.contains(QStringLiteral("--trim-boundary"))) {
     const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
-    press(window, "trim");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "trim"));
     const int trimmed = window.document().scans().front();
     QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
   }
@@ -289,16 +281,14 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
     QVERIFY(expected.size() > 1000);
     QVERIFY2(ours.readAll() == expected, "the window's file is not the command's");
   };
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   if (!options.contains(QStringLiteral("--relief")) && !options.contains(QStringLiteral("--edges")))
     expect_file_of_command(options + QStringList{QStringLiteral("--flow"), QStringLiteral("none")});
   if (QTest::currentTestFailed()) return;
   QFETCH(bool, at_once);
   if (at_once) key(window, Qt::Key_Z, Qt::ControlModifier);
   QCOMPARE(window.document().patches().empty(), at_once);
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 240));
   expect_file_of_command(options);
 }
 

@@ -74,23 +74,19 @@ void SameEndTest::run_ends_where_fill_and_smooth_ends_data() {
 /// Run grew noses and socks when it took the boundary literally.
 void SameEndTest::run_ends_where_fill_and_smooth_ends() {
   QFETCH(QString, path);
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   const Document& document = window.document();
   const std::set<int> holes = chosen_holes(document);
   if (holes.empty()) QSKIP("no hole of moderate size");
   window.selection().select(holes);
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 240));
   std::map<int, PatchStatePtr> whole;
   for (int hole : holes)
     if (const OpenPatch* patch = document.patch_of(hole)) whole[hole] = patch->state;
   window.findChild<QAction*>(QStringLiteral("undo"), Qt::FindDirectChildrenOnly)->trigger();
   QVERIFY2(document.patches().empty(), "one press is undone by one");
-  press(window, "fill");
-  QVERIFY(wait_idle(window, 240));
-  press(window, "run");
-  QVERIFY(wait_idle(window, 240));
+  QVERIFY(press_and_wait(window, "fill", 240));
+  QVERIFY(press_and_wait(window, "run", 240));
   int steps = 0;
   for (int hole : holes) {
     const OpenPatch* patch = document.patch_of(hole);

@@ -19,8 +19,6 @@
 #include <QTest>
 #include <QTreeWidget>
 
-#include <algorithm>
-
 using namespace loopmend;
 using namespace loopmend::testing;
 
@@ -107,8 +105,7 @@ class SceneTest : public QObject {
 void SceneTest::init() { balls_ = write_two_balls(folder_.filePath(QStringLiteral("balls.ply"))); }
 
 void SceneTest::a_piece_is_hidden_and_isolated_by_menu() {
-  Shown shown({balls_});
-  MainWindow& window = shown.window;
+  Shown window({balls_});
   QVERIFY(count_colors(window.view().picture()) >= 40);
   window.view().look_from(NamedView::top);
   settle();
@@ -144,8 +141,7 @@ void SceneTest::a_piece_is_hidden_and_isolated_by_menu() {
 }
 
 void SceneTest::a_piece_is_hidden_by_key() {
-  Shown shown({balls_});
-  MainWindow& window = shown.window;
+  Shown window({balls_});
   window.view().look_from(NamedView::top);
   settle();
   QWidget* canvas = window.view().canvas();
@@ -170,10 +166,8 @@ void SceneTest::a_piece_is_hidden_by_key() {
 }
 
 void SceneTest::the_list_has_scans_pieces_and_patches() {
-  Shown shown({balls_});
-  MainWindow& window = shown.window;
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  Shown window({balls_});
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   part<QDockWidget>(window, "sceneDock")->raise();
   QVERIFY(wait_until([&] { return row(window, QStringLiteral("2 patches")) != nullptr; }));
   QTreeWidgetItem* scan = row(window, QStringLiteral("balls.ply"));
@@ -210,8 +204,7 @@ void SceneTest::the_list_has_scans_pieces_and_patches() {
 }
 
 void SceneTest::what_is_hidden_cannot_be_picked_or_painted() {
-  Shown shown({balls_});
-  MainWindow& window = shown.window;
+  Shown window({balls_});
   window.view().look_from(NamedView::top);
   settle();
   const int small_hole = window.visibility().piece_of_loop(0).piece == 1 ? 0 : 1;
@@ -238,8 +231,7 @@ void SceneTest::what_is_hidden_cannot_be_picked_or_painted() {
 }
 
 void SceneTest::hidden_pieces_are_exported_and_stay_hidden() {
-  Shown shown({balls_});
-  MainWindow& window = shown.window;
+  Shown window({balls_});
   window.visibility().set_pieces({PieceId{0, 1}}, SceneVisibility::Visible::hidden);
   const std::size_t triangles = window.document().scan(0)->model->soup.triangles.size();
   const QString path = folder_.filePath(QStringLiteral("exported.ply"));
@@ -255,8 +247,7 @@ void SceneTest::hidden_pieces_are_exported_and_stay_hidden() {
   const int large_hole = window.visibility().piece_of_loop(0).piece == 0 ? 0 : 1;
   const std::vector<int>& vertices = window.document().loop(large_hole).vertices;
   const std::vector<int>& soup = window.document().scan(0)->model->soup_vertex;
-  window.controller().bridge(0, soup[static_cast<std::size_t>(vertices[0])],
-                             soup[static_cast<std::size_t>(vertices[vertices.size() / 2])]);
+  window.controller().bridge(0, soup[vertices[0]], soup[vertices[vertices.size() / 2]]);
   QVERIFY(wait_idle(window));
   const int bridged = window.document().scans().front();
   QVERIFY(bridged != 0);
@@ -271,8 +262,7 @@ void SceneTest::hidden_pieces_are_exported_and_stay_hidden() {
 }
 
 void SceneTest::flying_to_a_hidden_hole_shows_it() {
-  Shown shown({balls_});
-  MainWindow& window = shown.window;
+  Shown window({balls_});
   const PieceId piece = window.visibility().piece_of_loop(1);
   window.visibility().set_pieces({piece}, SceneVisibility::Visible::hidden);
   window.view().fly_to(1);

@@ -16,7 +16,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QProcess>
@@ -25,7 +24,6 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
 #include <csignal>
 
@@ -62,9 +60,8 @@ class StoryTest : public QObject {
 };
 
 void StoryTest::one_hole_by_eye() {
-  Shown shown({sample_file(folder_)});
-  QVERIFY(shown.exposed && shown.ready);
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
+  QVERIFY(window.exposed && window.ready);
   const Document& document = window.document();
   QVERIFY(count_colors(window.view().picture()) >= 64);
 
@@ -133,8 +130,7 @@ void StoryTest::one_hole_by_eye() {
 
 void StoryTest::all_small_holes_and_undo() {
   if (!QFile::exists(plane_holes)) QSKIP("plane_holes.obj is not in the shared folder");
-  Shown shown({plane_holes});
-  MainWindow& window = shown.window;
+  Shown window({plane_holes});
   const Document& document = window.document();
   const int all = open_holes(document);
   QVERIFY(all >= 20);
@@ -150,8 +146,7 @@ void StoryTest::all_small_holes_and_undo() {
   const int meant = static_cast<int>(loops_up_to(document, SizeMeasure::edges, largest - 1).size());
   QVERIFY(meant > 0 && meant < all);
   QVERIFY(part<QPushButton>(window, "fillUpTo")->text().contains(QString::number(meant)));
-  press(window, "fillUpTo");
-  QVERIFY(wait_idle(window, 240));
+  QVERIFY(press_and_wait(window, "fillUpTo", 240));
   QCOMPARE(filled(document), meant);
   QCOMPARE(open_holes(document), all - meant);
   QVERIFY(picture_changes(window, before, 0.003));
@@ -171,8 +166,7 @@ void StoryTest::all_small_holes_and_undo() {
 
 void StoryTest::many_holes() {
   const int across = at_length() ? 32 : 12;  // 1024 holes, or 144
-  Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), across)});
-  MainWindow& window = shown.window;
+  Shown window({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), across)});
   const Document& document = window.document();
   QCOMPARE(document.loop_count(), across * across + 1);
   QCOMPARE(open_holes(document), across * across);  // the boundary is left out
@@ -184,8 +178,7 @@ void StoryTest::many_holes() {
   QTest::mouseMove(window.view().canvas(), window.view().position_of(across * across - 24, 0));
   settle();
   gaps.report("many holes: hover");
-  press(window, "fill");
-  QVERIFY(wait_idle(window, 300));
+  QVERIFY(press_and_wait(window, "fill", 300));
   settle();
   gaps.report("many holes: fill");
   key(window, Qt::Key_Escape);
@@ -214,8 +207,7 @@ void StoryTest::crash_and_recover() {
   QCOMPARE(::kill(static_cast<pid_t>(victim.processId()), SIGKILL), 0);
   QVERIFY(victim.waitForFinished());
 
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   window.offer_recovery();
   auto* banner = part<Banner>(window, "banner");
   QVERIFY(banner->isVisible());
@@ -224,8 +216,7 @@ void StoryTest::crash_and_recover() {
   window.open(scan);
   QVERIFY(wait_idle(window));
   QVERIFY2(banner->isVisible() && banner->text().contains(QStringLiteral("sample.ply")), qPrintable(banner->text()));
-  press(window, "answerRecover");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "answerRecover"));
   QCOMPARE(window.document().patches().size(), std::size_t(1));
   const int hole = first_hole(window.document());
   QVERIFY(window.document().patch_of(hole) != nullptr);
@@ -236,29 +227,23 @@ void StoryTest::crash_and_recover() {
   QVERIFY2(QFile::exists(window.autosave().path()), "recovered work must be safe from the next crash at once");
   // It can be worked on.
   window.selection().select({hole});
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 240));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 240));
   QVERIFY(window.document().patch_of(hole)->state->steps > 0);
 }
 
 void StoryTest::command_line_repeats_the_window() {
   const QString scan = sample_file(folder_);
-  Shown shown({scan});
-  MainWindow& window = shown.window;
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window, 300));
+  Shown window({scan});
+  QVERIFY(press_and_wait(window, "fill"));
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 300));
   // One of them by another flow, in steps.
   window.selection().select({1});
   press(window, "reject");
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   part<QComboBox>(window, "flow")->setCurrentIndex(1);
   part<QSlider>(window, "sigma")->setValue(0);
   for (int step = 0; step < 3; ++step) {
-    press(window, "step");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "step"));
   }
   window.selection().select({});
   const QString by_hand = folder_.filePath(QStringLiteral("by-hand.ply"));
@@ -293,11 +278,9 @@ void StoryTest::session_keeps_everything() {
   const QString path = folder_.filePath(QStringLiteral("work.loopmend"));
   Points positions;
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
+    Shown window({sample_file(folder_)});
     window.selection().select({0, 1});
-    press(window, "fill");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fill"));
     window.selection().select({0});
     press(window, "accept");
     QVERIFY(window.isWindowModified());
@@ -308,12 +291,12 @@ void StoryTest::session_keeps_everything() {
     QVERIFY(window.close());
   }
   Shown shown({path});
-  const Document& document = shown.window.document();
+  const Document& document = shown.document();
   QVERIFY(shown.ready);
   QVERIFY(document.state(0) == HoleState::accepted);
   QVERIFY(document.state(1) == HoleState::filled);
   QVERIFY2(document.patch_of(1)->state->patch.positions == positions, "the patch came back with other bits");
-  QVERIFY(!shown.window.isWindowModified());
+  QVERIFY(!shown.isWindowModified());
   // A damaged session is refused in words, and nothing that is open is lost.
   QFile file(path);
   QVERIFY(file.open(QIODevice::ReadOnly));
@@ -324,9 +307,9 @@ void StoryTest::session_keeps_everything() {
     QVERIFY(part_of.open(QIODevice::WriteOnly));
     part_of.write(bytes.left(size));
     part_of.close();
-    shown.window.open(broken);
-    QVERIFY(wait_idle(shown.window));
-    QVERIFY(part<Banner>(shown.window, "banner")->text().contains(QStringLiteral("broken.loopmend")));
+    shown.open(broken);
+    QVERIFY(wait_idle(shown));
+    QVERIFY(part<Banner>(shown, "banner")->text().contains(QStringLiteral("broken.loopmend")));
     QCOMPARE(document.patches().size(), std::size_t(2));
   }
 }
@@ -338,17 +321,15 @@ void StoryTest::a_session_without_its_scan_is_told_where_it_is() {
   const QString two = write_sheet_with_holes(before.filePath(QStringLiteral("two.ply")), 2);
   {
     Shown shown({one, two});
-    shown.window.selection().select({first_hole(shown.window.document())});
-    press(shown.window, "fill");
-    QVERIFY(wait_idle(shown.window));
-    shown.window.controller().save_session(path);
-    QVERIFY(wait_idle(shown.window));
-    QVERIFY(shown.window.close());
+    shown.selection().select({first_hole(shown.document())});
+    QVERIFY(press_and_wait(shown, "fill"));
+    shown.controller().save_session(path);
+    QVERIFY(wait_idle(shown));
+    QVERIFY(shown.close());
   }
   for (const char* name : {"one.ply", "two.ply"})
     QVERIFY(QFile::rename(before.filePath(QLatin1String(name)), now.filePath(QLatin1String(name))));
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.open(path);
   QVERIFY(wait_idle(window));
   QVERIFY(part<Banner>(window, "banner")->text().contains(one));
@@ -367,17 +348,16 @@ void StoryTest::a_session_without_its_scan_is_told_where_it_is() {
   const QString beside = now.filePath(QStringLiteral("moved.loopmend"));
   QVERIFY(QFile::copy(path, beside));
   Shown other;
-  other.window.open(beside);
-  QVERIFY(wait_idle(other.window));
-  QCOMPARE(other.window.document().scans().size(), std::size_t(2));
-  QCOMPARE(other.window.document().patches().size(), std::size_t(1));
+  other.open(beside);
+  QVERIFY(wait_idle(other));
+  QCOMPARE(other.document().scans().size(), std::size_t(2));
+  QCOMPARE(other.document().patches().size(), std::size_t(1));
 }
 
 void StoryTest::several_scans_are_one_scene() {
   const QString first = sample_file(folder_);
   const QString second = write_sheet_with_holes(folder_.filePath(QStringLiteral("small.ply")), 2);
-  Shown shown({first});
-  MainWindow& window = shown.window;
+  Shown window({first});
   const Document& document = window.document();
   const int loops = document.loop_count();
   // Dropped onto the window.
@@ -393,8 +373,7 @@ void StoryTest::several_scans_are_one_scene() {
   QCOMPARE(document.loop_count(), loops + 5);
   QVERIFY(!part<QTableView>(window, "holesTable")->isColumnHidden(7));
   window.selection().select({0, document.first_loop_of(1) + 1});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QCOMPARE(filled(document), 2);
   const QString out = folder_.filePath(QStringLiteral("both.ply"));
   window.controller().export_to(out);

@@ -94,8 +94,7 @@ void show_story(MainWindow& window, const QString& file) {
     shoot(window, "selected");
   }
   window.selection().select({});
-  press(window, "fill");
-  wait_idle(window);
+  press_and_wait(window, "fill");
   shoot(window, "filled");
   window.view().fly_to(hole);
   linger(800);
@@ -108,8 +107,7 @@ void show_story(MainWindow& window, const QString& file) {
   linger(200);
   window.selection().select({});
   while (window.undo().can_undo()) window.undo().undo();
-  press(window, "fillAndSmooth");
-  wait_idle(window, 300);
+  press_and_wait(window, "fillAndSmooth", 300);
   window.selection().select({hole});
   part<QToolButton>(window, "moreOfFlow")->setChecked(false);
   part<QPushButton>(window, "fillAndSmooth");  // scrolls to it
@@ -129,8 +127,7 @@ void show_story(MainWindow& window, const QString& file) {
   tabs->setCurrentIndex(2);
   shoot(window, "log");
   tabs->setCurrentIndex(0);
-  press(window, "fillAndSmooth");
-  wait_idle(window, 300);
+  press_and_wait(window, "fillAndSmooth", 300);
   shoot_part(window, part<QDockWidget>(window, "inspectDock"), "energy");
 }
 
@@ -281,7 +278,7 @@ void show_bridge(MainWindow& window) {
   TriangleSoup ball = make_icosphere(5);
   std::erase_if(ball.triangles, [&](const auto& triangle) {
     const auto cut_away = [&](int v) {
-      const Vec3& p = ball.points[static_cast<std::size_t>(v)];
+      const Vec3& p = ball.points[v];
       return p.z() > 0.75 && std::abs(p.y()) < 0.2 + 0.25 * p.x() * p.x();
     };
     return std::all_of(triangle.begin(), triangle.end(), cut_away);
@@ -295,7 +292,7 @@ void show_bridge(MainWindow& window) {
   QWidget* canvas = window.view().canvas();
   const auto position = [&](std::size_t k) {
     const int v = loop.vertices[k % loop.vertices.size()];
-    return tool.position_of(scan, soup[static_cast<std::size_t>(v)], window.view().space()).toPoint();
+    return tool.position_of(scan, soup[v], window.view().space()).toPoint();
   };
   QTest::mouseClick(canvas, Qt::LeftButton, {}, position(0));
   const QPoint at = position(loop.vertices.size() / 4);
@@ -335,8 +332,7 @@ void show_scene(MainWindow& window) {
   for (Vec3& p : small.points) p = 0.5 * p + Vec3(2, 0, 0.3);
   const TriangleSoup large = cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.85 || p.y() < -0.93; });
   show_example(window, joined({large, small}), QStringLiteral("balls"));
-  press(window, "fillAndSmooth");
-  wait_idle(window);
+  press_and_wait(window, "fillAndSmooth");
   part<QDockWidget>(window, "sceneDock")->raise();
   window.view().frame();
   shoot(window, "scene");

@@ -18,8 +18,7 @@ namespace {
 
 /// Started by a test, with its home, to be killed: fills one hole, waits for its own autosave, tells, and hangs around.
 int be_a_victim(const QString& scan) {
-  Shown shown({scan});
-  MainWindow& window = shown.window;
+  Shown window({scan});
   window.autosave().set_delay(0);
   window.selection().select({first_hole(window.document())});
   bool written = false;

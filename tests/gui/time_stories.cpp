@@ -31,7 +31,7 @@ constexpr double patience = 90;  // s
 class Story {
  public:
   Story(const char* name, const QDir& pictures) : name_(name), pictures_(pictures) { clock_.start(); }
-  MainWindow& window() { return shown_.window; }
+  MainWindow& window() { return shown_; }
 
   /// What has been done, when, and how it looks.
   void tell(const char* what) {

@@ -12,7 +12,6 @@
 #include "samples/paper_inputs.h"
 #include "views/tool_controller.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -117,8 +116,7 @@ class ToolsTest : public QObject {
 
 void ToolsTest::a_painted_region_is_that_of_the_command_line() {
   const QString bumps = file("bumps.ply", make_bumps());
-  Shown shown({bumps});
-  MainWindow& window = shown.window;
+  Shown window({bumps});
   const Document& document = window.document();
   key(window, Qt::Key_R);
   QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
@@ -160,8 +158,7 @@ void ToolsTest::a_painted_region_is_that_of_the_command_line() {
 }
 
 void ToolsTest::lasso_erase_grow_and_turning() {
-  Shown shown({file("bumps.ply", make_bumps())});
-  MainWindow& window = shown.window;
+  Shown window({file("bumps.ply", make_bumps())});
   RegionTool& tool = window.tools().region();
   key(window, Qt::Key_R);
   QWidget* canvas = window.view().canvas();
@@ -189,10 +186,8 @@ void ToolsTest::lasso_erase_grow_and_turning() {
 }
 
 void ToolsTest::a_region_takes_patches_along() {
-  Shown shown({file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; }))});
-  MainWindow& window = shown.window;
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  Shown window({file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.85; }))});
+  QVERIFY(press_and_wait(window, "fill"));
   const std::size_t scan_points = window.document().scan(0)->model->soup.points.size();
   const Patch& patch = window.document().patches().front().state->patch;
   key(window, Qt::Key_R);
@@ -212,8 +207,7 @@ void ToolsTest::a_region_takes_patches_along() {
 
 void ToolsTest::points_of_a_polyhedron() {
   const QString path = file("dodecahedron.ply", make_dodecahedron());
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   key(window, Qt::Key_I);
   press(window, "trialPreview");
   QVERIFY(reach(window, ProblemController::Stage::posed));
@@ -230,8 +224,7 @@ void ToolsTest::points_of_a_polyhedron() {
 }
 
 void ToolsTest::picked_points_and_a_box() {
-  Shown shown({file("dodecahedron.ply", make_dodecahedron())});
-  MainWindow& window = shown.window;
+  Shown window({file("dodecahedron.ply", make_dodecahedron())});
   key(window, Qt::Key_I);
   part<QRadioButton>(window, "pointsPicked")->click();
   PointsTool& tool = window.tools().points();
@@ -257,8 +250,7 @@ void ToolsTest::picked_points_and_a_box() {
 
 void ToolsTest::a_bridge_parts_a_hole_in_two() {
   const QString path = file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   window.view().frame();
   settle();
   key(window, Qt::Key_G);
@@ -270,13 +262,13 @@ void ToolsTest::a_bridge_parts_a_hole_in_two() {
   BridgeTool& tool = window.tools().bridge();
   QWidget* canvas = window.view().canvas();
   const auto click = [&](int vertex) {
-    const QPointF at = tool.position_of(0, soup[static_cast<std::size_t>(vertex)], window.view().space());
+    const QPointF at = tool.position_of(0, soup[vertex], window.view().space());
     QTest::mouseMove(canvas, at.toPoint());
     QTest::mouseClick(canvas, Qt::LeftButton, {}, at.toPoint());
   };
   // Esc forgets the first vertex, and then the tool. A click at a vertex behind the surface may take a visible one
   // beside it.
-  const auto begun_at = [&](int vertex) { return tool.begun_point() == soup[static_cast<std::size_t>(vertex)]; };
+  const auto begun_at = [&](int vertex) { return tool.begun_point() == soup[vertex]; };
   const auto visible = [&](int vertex) {
     click(vertex);
     const bool taken = begun_at(vertex);
@@ -296,13 +288,11 @@ void ToolsTest::a_bridge_parts_a_hole_in_two() {
   QCOMPARE(window.document().scans(), std::vector<int>{1});
   QCOMPARE(window.document().loop_count() - window.document().first_loop_of(1), 2);
 
-  QVERIFY(
-      same(made(window), with_bridge(before, soup[static_cast<std::size_t>(a)], soup[static_cast<std::size_t>(b)])));
+  QVERIFY(same(made(window), with_bridge(before, soup[a], soup[b])));
 
   // One of the two holes alone can be filled.
   window.selection().select({window.document().first_loop_of(1)});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QCOMPARE(window.document().patches().size(), std::size_t(1));
   key(window, Qt::Key_Z, Qt::ControlModifier);
   key(window, Qt::Key_Z, Qt::ControlModifier);
@@ -316,8 +306,7 @@ void ToolsTest::boundaries_of_three_parts_are_joined() {
   QStringList files;
   for (std::size_t k = 0; k < tubes.size(); ++k)
     files << file(qPrintable(QStringLiteral("tube%1.ply").arg(k + 1)), make_tube(tubes[k]));
-  Shown shown(files);
-  MainWindow& window = shown.window;
+  Shown window(files);
   key(window, Qt::Key_B);
   QVERIFY(!part<QPushButton>(window, "trialEvolve")->isEnabled());
   press(window, "blendFacing");
@@ -340,8 +329,7 @@ void ToolsTest::boundaries_of_three_parts_are_joined() {
 
 void ToolsTest::a_part_is_placed_by_its_handle() {
   const std::vector<TubeShape> tubes = tee_tubes();
-  Shown shown({file("tee1.ply", make_tube(tubes[0])), file("tee2.ply", make_tube(tubes[1]))});
-  MainWindow& window = shown.window;
+  Shown window({file("tee1.ply", make_tube(tubes[0])), file("tee2.ply", make_tube(tubes[1]))});
   window.view().frame();
   settle();
   key(window, Qt::Key_B);
@@ -391,25 +379,24 @@ void ToolsTest::made_surfaces_survive_a_session() {
   TriangleSoup kept;
   {
     Shown shown({file("dodecahedron.ply", make_dodecahedron())});
-    key(shown.window, Qt::Key_I);
-    part<QSpinBox>(shown.window, "pointsSubdivide")->setValue(2);
-    press(shown.window, "trialEvolve");
-    QVERIFY(reach(shown.window, ProblemController::Stage::solved));
-    press(shown.window, "trialAccept");
-    kept = made(shown.window);
-    shown.window.controller().save_session(session);
-    QVERIFY(wait_idle(shown.window));
-    QVERIFY(!shown.window.isWindowModified());
+    key(shown, Qt::Key_I);
+    part<QSpinBox>(shown, "pointsSubdivide")->setValue(2);
+    press(shown, "trialEvolve");
+    QVERIFY(reach(shown, ProblemController::Stage::solved));
+    press(shown, "trialAccept");
+    kept = made(shown);
+    shown.controller().save_session(session);
+    QVERIFY(wait_idle(shown));
+    QVERIFY(!shown.isWindowModified());
   }
   Shown shown({session});
-  QCOMPARE(shown.window.document().scans().size(), std::size_t(1));
-  QVERIFY(same(made(shown.window), kept));
-  QVERIFY(count_colors(shown.window.view().picture()) >= 40);
+  QCOMPARE(shown.document().scans().size(), std::size_t(1));
+  QVERIFY(same(made(shown), kept));
+  QVERIFY(count_colors(shown.view().picture()) >= 40);
 }
 
 void ToolsTest::the_gallery_opens_and_runs() {
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   for (const PaperExample& example : paper_examples()) {
     auto* button = part<QToolButton>(window, qPrintable(QStringLiteral("example_") + QLatin1String(example.id)));
     QVERIFY2(button && !button->icon().isNull() && !button->toolTip().isEmpty(), example.id);
@@ -425,13 +412,13 @@ void ToolsTest::the_gallery_opens_and_runs() {
   QVERIFY(window.isWindowModified());
   // ... and holes, by the paper's scheme.
   Shown other;
-  QTest::mouseClick(part<QToolButton>(other.window, "example_fig5.1a"), Qt::LeftButton);
-  QVERIFY(wait_until([&] { return other.window.document().has_scan(); }));
+  QTest::mouseClick(part<QToolButton>(other, "example_fig5.1a"), Qt::LeftButton);
+  QVERIFY(wait_until([&] { return other.document().has_scan(); }));
   settle();
-  press(other.window, "exampleRun");
+  press(other, "exampleRun");
   QVERIFY(wait_until(
       [&] {
-        const auto& patches = other.window.document().patches();
+        const auto& patches = other.document().patches();
         return patches.size() == 3 && std::all_of(patches.begin(), patches.end(), [](const OpenPatch& patch) {
                  return patch.state->status == PatchStatus::converged;
                });
@@ -440,8 +427,7 @@ void ToolsTest::the_gallery_opens_and_runs() {
 }
 
 void ToolsTest::errors_are_said_in_place() {
-  Shown shown({file("closed.ply", make_icosphere(2))});
-  MainWindow& window = shown.window;
+  Shown window({file("closed.ply", make_icosphere(2))});
   key(window, Qt::Key_R);
   std::vector<int> all;
   for (std::size_t v = 0; v < made(window).points.size(); ++v) all.push_back(static_cast<int>(v));
@@ -456,8 +442,7 @@ void ToolsTest::errors_are_said_in_place() {
 }
 
 void ToolsTest::cancel_comes_back_at_once() {
-  Shown shown({file("bumps.ply", make_bumps())});
-  MainWindow& window = shown.window;
+  Shown window({file("bumps.ply", make_bumps())});
   key(window, Qt::Key_R);
   std::vector<int> high;
   for (std::size_t v = 0; v < made(window).points.size(); ++v)

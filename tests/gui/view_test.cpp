@@ -87,19 +87,14 @@ class ViewTest : public QObject {
   void a_large_scan_is_reduced_at_first();
 
  private:
-  QString file(const char* name, const TriangleSoup& soup) {
-    const QString path = folder_.filePath(QLatin1String(name));
-    write_mesh(path.toStdString(), soup);
-    return path;
-  }
+  QString file(const char* name, const TriangleSoup& soup) { return scan_file(folder_, QLatin1String(name), soup); }
   QTemporaryDir folder_;
 };
 
 /// Seen from behind, the hole is hidden by the ball; seen from its side, the eye stays where it is.
 void ViewTest::a_filled_hole_comes_into_view() {
   const auto is_cap = [](const Vec3& p) { return p.z() > 0.9; };
-  Shown shown({file("ball.ply", cut(make_icosphere(3), is_cap))});
-  MainWindow& window = shown.window;
+  Shown window({file("ball.ply", cut(make_icosphere(3), is_cap))});
   const auto fill_from = [&](NamedView side) {
     window.view().look_from(side);
     const Viewpoint before = window.view().viewpoint();
@@ -118,8 +113,7 @@ void ViewTest::a_filled_hole_comes_into_view() {
 }
 
 void ViewTest::the_picture_is_moved_and_asked_by_keys() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   QWidget* canvas = window.view().canvas();
   canvas->setFocus();
   const Viewpoint first = window.view().viewpoint();
@@ -137,8 +131,7 @@ void ViewTest::the_picture_is_moved_and_asked_by_keys() {
 }
 
 void ViewTest::sides_projection_and_zoom_to_the_cursor() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const auto direction = [&] {
     const Viewpoint from = window.view().viewpoint();
     return Vec3((from.eye - from.focus).normalized());
@@ -197,8 +190,7 @@ void ViewTest::frame_keeps_clear_of_the_legend() {
   QFETCH(double, high);
   QFETCH(bool, orthographic);
   const TriangleSoup ball = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; });
-  Shown shown({file("wide.ply", scaled(ball, {wide, high, 0.5}))});
-  MainWindow& window = shown.window;
+  Shown window({file("wide.ply", scaled(ball, {wide, high, 0.5}))});
   key(window, Qt::Key_1);
   if (orthographic) trigger(window, "orthographic");
   for (const char* side : {"lookFront", "lookTop"}) {
@@ -214,12 +206,10 @@ void ViewTest::frame_keeps_clear_of_the_legend() {
 /// Two balls of which one is ten times smaller: ten times the curvature.
 void ViewTest::each_scan_may_have_its_own_range() {
   const TriangleSoup egg = scaled(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }), {1.3, 1, 0.8});
-  Shown shown({file("large.ply", egg), file("small.ply", scaled(egg, {0.1, 0.1, 0.1}, {2, 0, 0}))});
-  MainWindow& window = shown.window;
+  Shown window({file("large.ply", egg), file("small.ply", scaled(egg, {0.1, 0.1, 0.1}, {2, 0, 0}))});
   MeshView& view = window.view();
   key(window, Qt::Key_1);
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   settle();
   const double shared = view.range();
   QCOMPARE(view.range_of(0), shared);
@@ -244,14 +234,13 @@ void ViewTest::each_scan_may_have_its_own_range() {
   window.controller().save_session(session);
   QVERIFY(wait_idle(window));
   Shown again({session});
-  QCOMPARE(part<QComboBox>(again.window, "rangeRule")->currentText(), QStringLiteral("Percentile of each scan"));
-  QVERIFY(std::abs(again.window.view().range_of(1) / again.window.view().range_of(0) - 10) < 0.01);
+  QCOMPARE(part<QComboBox>(again, "rangeRule")->currentText(), QStringLiteral("Percentile of each scan"));
+  QVERIFY(std::abs(again.view().range_of(1) / again.view().range_of(0) - 10) < 0.01);
 }
 
 void ViewTest::a_distance_is_measured() {
   const QString path = file("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8; }));
-  Shown shown({path});
-  MainWindow& window = shown.window;
+  Shown window({path});
   window.view().frame();
   settle();
   key(window, Qt::Key_D);
@@ -292,8 +281,7 @@ void ViewTest::a_distance_is_measured() {
 }
 
 void ViewTest::a_plane_cuts_the_picture_open() {
-  Shown shown({file("whole.ply", make_icosphere(4))});
-  MainWindow& window = shown.window;
+  Shown window({file("whole.ply", make_icosphere(4))});
   window.view().frame();
   settle();
   const auto depth = [&] {
@@ -318,8 +306,7 @@ void ViewTest::a_plane_cuts_the_picture_open() {
 }
 
 void ViewTest::a_large_scan_is_reduced_at_first() {
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   MeshView& view = window.view();
   int drawn = 0, reduced = 0;
   QObject::connect(&view, &MeshView::drawn, this, [&] {
@@ -361,8 +348,7 @@ void ViewTest::a_large_scan_is_reduced_at_first() {
 
 /// The curvature comes a moment after the scan, and with it the legend, under which nothing should lie.
 void ViewTest::the_first_picture_is_framed() {
-  Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6)});
-  MainWindow& window = shown.window;
+  Shown window({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6)});
   settle();
   const QImage first = window.view().picture();
   key(window, Qt::Key_F);

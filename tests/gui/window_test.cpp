@@ -3,7 +3,6 @@
 #include "driver.h"
 #include "test_main.h"
 
-#include "core/error.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
@@ -14,7 +13,6 @@
 #include <QLabel>
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
-#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
@@ -30,36 +28,8 @@ namespace {
 const QString bunny = QStringLiteral(LOOPMEND_SHARED_DIR "/data/bunny.ply");
 const QString dragon = QStringLiteral(LOOPMEND_SHARED_DIR "/data/dragon.ply");
 
-/// A window on the screen, with a scan open. Every test has its own.
-class Opened {
- public:
-  explicit Opened(const QString& path) {
-    window.move(0, 0);
-    window.show();
-    exposed = QTest::qWaitForWindowExposed(&window);
-    QApplication::setActiveWindow(&window);  // there is no window manager to do it, and shortcuts need it
-    window.open(path);
-    opened = wait_idle(window) && window.document().has_scan();
-    settle();
-  }
-  MainWindow window;
-  bool exposed = false, opened = false;
-};
-
-QString write_sample(const QTemporaryDir& folder) {
-  const QString path = folder.filePath(QStringLiteral("sample.ply"));
-  write_mesh(path.toStdString(), make_sample_scan());
-  return path;
-}
-
 bool same_bits(const Points& input, const Points& output) {
   return output.size() >= input.size() && std::equal(input.begin(), input.end(), output.begin());
-}
-
-int largest_hole(const MainWindow& window) {
-  for (int loop = 0; loop < window.document().loop_count(); ++loop)
-    if (window.document().fillable(loop)) return loop;
-  return -1;
 }
 
 }  // namespace
@@ -93,32 +63,32 @@ class WindowTest : public QObject {
 
 void WindowTest::init() {
   QVERIFY(folder_.isValid());
-  if (sample_.isEmpty()) sample_ = write_sample(folder_);
+  if (sample_.isEmpty()) sample_ = sample_file(folder_);
 }
 
 /// The English translation holds the plurals alone; all other words are those of the sources.
 void WindowTest::counts_in_english() {
   Shown shown;
-  const auto summary = [&] { return part<QLabel>(shown.window, "holesSummary")->text(); };
+  const auto summary = [&] { return part<QLabel>(shown, "holesSummary")->text(); };
   QCOMPARE(summary(), QStringLiteral("No scan is open"));
   const QTemporaryDir folder;
   for (int across : {1, 2}) {
-    shown.window.open(write_sheet_with_holes(folder.filePath(QStringLiteral("%1.ply").arg(across)), across));
-    QVERIFY(wait_idle(shown.window));
+    shown.open(write_sheet_with_holes(folder.filePath(QStringLiteral("%1.ply").arg(across)), across));
+    QVERIFY(wait_idle(shown));
     QTRY_COMPARE(summary(), across == 1 ? QStringLiteral("1 hole, 1 open; 1 left out")
                                         : QStringLiteral("4 holes, 4 open; 1 left out"));
   }
 }
 
 void WindowTest::draws_something_real() {
-  Opened opened(sample_);
+  Shown opened({sample_});
   QVERIFY(opened.exposed);
-  QVERIFY(opened.opened);
-  auto* canvas = qobject_cast<QOpenGLWidget*>(opened.window.view().canvas());
+  QVERIFY(opened.ready);
+  auto* canvas = qobject_cast<QOpenGLWidget*>(opened.view().canvas());
   QVERIFY(canvas && canvas->isValid());
   QVERIFY(canvas->context() && canvas->context()->isValid());
-  QVERIFY(count_colors(opened.window.view().picture()) >= 64);
-  QVERIFY2(part<Banner>(opened.window, "banner")->isHidden(), "no message was expected");
+  QVERIFY(count_colors(opened.view().picture()) >= 64);
+  QVERIFY2(part<Banner>(opened, "banner")->isHidden(), "no message was expected");
 }
 
 void WindowTest::the_view_has_most_of_the_window_data() {
@@ -131,9 +101,8 @@ void WindowTest::the_view_has_most_of_the_window_data() {
 void WindowTest::the_view_has_most_of_the_window() {
   QFETCH(QSize, size);
   QFETCH(double, share);
-  Opened opened(sample_);
-  QVERIFY(opened.opened);
-  MainWindow& window = opened.window;
+  Shown window({sample_});
+  QVERIFY(window.ready);
   window.resize(size - QSize(20, 40));  // with its frame on a screen of that size
   settle();
   const QSize view = window.view().size();
@@ -151,15 +120,14 @@ void WindowTest::whole_story_on_the_bunny() {
 }
 
 void WindowTest::whole_story(const QString& path) {
-  Opened opened(path);
-  QVERIFY(opened.opened);
-  MainWindow& window = opened.window;
+  Shown window({path});
+  QVERIFY(window.ready);
   const Document& document = window.document();
   const ImportedMesh input = read_mesh(path.toStdString());
 
   // Turn to the largest hole and click its boundary in the picture.
-  const int loop = largest_hole(window);
-  QVERIFY(loop >= 0);
+  const int loop = first_hole(window.document());
+  QVERIFY(loop < document.loop_count());
   QVERIFY(fly(window, loop));
   const QPoint at = visible_point(window, loop);
   QVERIFY2(at.x() >= 0, "no vertex of the loop can be hovered");
@@ -174,8 +142,7 @@ void WindowTest::whole_story(const QString& path) {
   part<QTableWidget>(window, "seamTable");  // opens its dock: the picture changes its size
   settle();
   const QImage open_picture = window.view().picture();
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QCOMPARE(document.patches().size(), std::size_t(1));
   QVERIFY(document.state(loop) == HoleState::filled);
   QVERIFY2(picture_changes(window, open_picture, 0.005), "the filled hole looks like the open one");
@@ -225,8 +192,7 @@ void WindowTest::whole_story(const QString& path) {
 }
 
 void WindowTest::rows_and_loops_light_up_together() {
-  Opened opened(sample_);
-  MainWindow& window = opened.window;
+  Shown window({sample_});
   auto* table = part<QTableView>(window, "holesTable");
   const QPoint second_row = table->visualRect(table->model()->index(1, 0)).center();
   QTest::mouseMove(table->viewport(), second_row);
@@ -243,10 +209,8 @@ void WindowTest::rows_and_loops_light_up_together() {
 }
 
 void WindowTest::cancel_gives_control_back_at_once() {
-  Opened opened(sample_);
-  MainWindow& window = opened.window;
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  Shown window({sample_});
+  QVERIFY(press_and_wait(window, "fill"));
   part<QSlider>(window, "sigma")->setValue(0);
   press(window, "run");
   QVERIFY(wait_until([&] { return window.document().patches().front().state->steps >= 1; }));
@@ -268,11 +232,9 @@ void WindowTest::cancel_gives_control_back_at_once() {
 }
 
 void WindowTest::pause_keeps_the_state_and_goes_on() {
-  Opened opened(sample_);
-  MainWindow& window = opened.window;
-  window.selection().select({largest_hole(window)});
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  Shown window({sample_});
+  window.selection().select({first_hole(window.document())});
+  QVERIFY(press_and_wait(window, "fill"));
   part<QSlider>(window, "sigma")->setValue(-10);
   QTest::keyClick(&window, Qt::Key_Space);
   QVERIFY(wait_until([&] { return window.document().patches().front().state->steps >= 2; }));
@@ -307,8 +269,7 @@ void WindowTest::closing_while_it_runs_is_clean() {
 }
 
 void WindowTest::malformed_file_is_told_and_the_old_scan_stays() {
-  Opened opened(sample_);
-  MainWindow& window = opened.window;
+  Shown window({sample_});
   const auto model = window.document().first_scan().model;
   const QString bad = folder_.filePath(QStringLiteral("bad.ply"));
   QFile file(bad);
@@ -331,10 +292,10 @@ void WindowTest::malformed_file_is_told_and_the_old_scan_stays() {
 }
 
 void WindowTest::unwritable_export_is_told() {
-  Opened opened(sample_);
-  opened.window.controller().export_to(QStringLiteral("/nonexistent-folder/out.ply"));
-  QVERIFY(wait_idle(opened.window));
-  QVERIFY(!part<Banner>(opened.window, "banner")->isHidden());
+  Shown opened({sample_});
+  opened.controller().export_to(QStringLiteral("/nonexistent-folder/out.ply"));
+  QVERIFY(wait_idle(opened));
+  QVERIFY(!part<Banner>(opened, "banner")->isHidden());
 }
 
 void WindowTest::controls_follow_what_makes_sense() {
@@ -363,15 +324,13 @@ void WindowTest::controls_follow_what_makes_sense() {
 }
 
 void WindowTest::outer_rim_is_left_out() {
-  Opened opened(sample_);
-  MainWindow& window = opened.window;
+  Shown window({sample_});
   int boundary = -1;
   const auto& loops = window.document().loops();
   for (std::size_t i = 0; i < loops.size(); ++i)
     if (loops[i].kind == LoopKind::outer_rim) boundary = static_cast<int>(i);
   QVERIFY2(boundary >= 0, "the sample has an outer rim");
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fill"));
   QVERIFY(window.document().state(boundary) == HoleState::left_out);
   for (std::size_t i = 0; i < loops.size(); ++i)
     if (loops[i].kind == LoopKind::hole) QVERIFY(window.document().patch_of(static_cast<int>(i)) != nullptr);

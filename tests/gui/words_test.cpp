@@ -10,11 +10,9 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFile>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMap>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
@@ -22,7 +20,6 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -94,8 +91,7 @@ void WordsTest::dialogs_of_qt_are_in_german() {
   install_language(QStringLiteral("de"));
   QStringList opening, exporting;
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
+    Shown window({sample_file(folder_)});
     QStringList* into = &opening;
     const auto read = [&](const QDialog& dialog) {
       for (const QPushButton* button : dialog.findChildren<QPushButton*>())
@@ -131,8 +127,7 @@ void WordsTest::no_word_of_the_workshop_is_shown() {
   const QRegularExpression forbidden(
       QStringLiteral("\\bfillers?\\b|\\bfig(ure)?\\.? ?\\d|\\bstrays\\b|\\bretreat|\\bracing\\b|To do|Trouble"),
       QRegularExpression::CaseInsensitiveOption);
-  Shown shown;
-  MainWindow& window = shown.window;
+  Shown window;
   QStringList found;
   int read = 0;
   const auto look = [&](const QObject& of) {
@@ -149,8 +144,7 @@ void WordsTest::no_word_of_the_workshop_is_shown() {
   look(window);
   window.open(sample_file(folder_));
   QVERIFY(wait_idle(window));
-  press(window, "fillAndSmooth");
-  QVERIFY(wait_idle(window));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
   for (const char* tool :
        {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction", "toolMeasureAction"}) {
     trigger(window, tool);
@@ -172,10 +166,8 @@ void WordsTest::no_word_of_the_workshop_is_shown() {
 }
 
 void WordsTest::everything_can_be_reached_by_keys() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  Shown window({sample_file(folder_)});
+  QVERIFY(press_and_wait(window, "fill"));
   window.view().canvas()->setFocus();
   QSet<QWidget*> reached;
   for (int i = 0; i < 200; ++i) {
@@ -204,8 +196,7 @@ void WordsTest::everything_can_be_reached_by_keys() {
 
 /// In the table from the row with the focus to the last one, in a text from the caret to its end, in the list of the scene.
 void WordsTest::shift_end_extends() {
-  Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 3)});
-  MainWindow& window = shown.window;
+  Shown window({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 3)});
   auto* table = part<QTableView>(window, "holesTable");
   const int rows = table->model()->rowCount();
   QVERIFY(rows >= 9);
@@ -248,10 +239,8 @@ void WordsTest::shift_end_extends() {
 
 /// Neither with the focus in the picture, nor in the table, nor in a text.
 void WordsTest::delete_without_a_selection_does_nothing() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
-  press(window, "fill");
-  QVERIFY(wait_idle(window));
+  Shown window({sample_file(folder_)});
+  QVERIFY(press_and_wait(window, "fill"));
   window.selection().select({});
   const std::size_t patches = window.document().patches().size();
   QVERIFY(patches > 2);
@@ -276,8 +265,7 @@ void WordsTest::delete_without_a_selection_does_nothing() {
 }
 
 void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   QVERIFY(fly(window, hole));
   const QPoint at = visible_point(window, hole);
@@ -318,11 +306,9 @@ void WordsTest::accept_and_discard_have_the_same_words() {
   QSet<QString> accept, discard, reopen;
   QString menu_accept, undo_reopen;
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
+    Shown window({sample_file(folder_)});
     const auto plain = [](QString text) { return text.remove(QLatin1Char('&')); };
-    press(window, "fillAndSmooth");
-    wait_idle(window);
+    press_and_wait(window, "fillAndSmooth");
     accept << plain(part<QPushButton>(window, "accept")->text());
     discard << plain(part<QPushButton>(window, "reject")->text());
     for (const char* tool : {"toolRegionAction", "toolPointsAction", "toolBlendAction"}) {
@@ -372,8 +358,7 @@ void WordsTest::no_two_controls_share_a_letter() {
   install_language(language);
   QSet<QString> shared;
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
+    Shown window({sample_file(folder_)});
     const auto look = [&] {
       settle();
       QMultiMap<QString, QString> controls;
@@ -392,8 +377,7 @@ void WordsTest::no_two_controls_share_a_letter() {
           shared << letter + QStringLiteral(": ") + controls.values(letter).join(QStringLiteral(" | "));
     };
     look();
-    press(window, "fillAndSmooth");
-    QVERIFY(wait_idle(window));
+    QVERIFY(press_and_wait(window, "fillAndSmooth"));
     look();
     for (const char* tool :
          {"toolRegionAction", "toolPointsAction", "toolBlendAction", "toolBridgeAction", "toolMeasureAction"}) {
@@ -419,8 +403,7 @@ void WordsTest::numbers_are_written_in_one_locale() {
   QStringList wrong;
   int right = 0;
   {
-    Shown shown({sample_file(folder_)});
-    MainWindow& window = shown.window;
+    Shown window({sample_file(folder_)});
     // A digit, a mark, and digits that no grouping by thousands explains.
     const QRegularExpression by_point(QStringLiteral("\\d\\.(\\d{1,2}|\\d{4,})(?![\\d.])")),
         by_comma(QStringLiteral("\\d,(\\d{1,2}|\\d{4,})(?![\\d,])"));
@@ -432,11 +415,9 @@ void WordsTest::numbers_are_written_in_one_locale() {
           if (text.contains(german ? by_point : by_comma)) wrong << object->objectName() + QStringLiteral(": ") + text;
         }
     };
-    press(window, "fillAndSmooth");
-    wait_idle(window);
+    press_and_wait(window, "fillAndSmooth");
     window.selection().select({first_hole(window.document())});
-    press(window, "step");
-    wait_idle(window);
+    press_and_wait(window, "step");
     window.view().setFocus();
     key(window, Qt::Key_P);
     settle();

@@ -6,7 +6,6 @@
 #include "mesh/surface_model.h"
 #include "repair/repair_surface.h"
 
-#include <cstring>
 #include <sstream>
 
 namespace loopmend {

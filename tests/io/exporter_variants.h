@@ -50,7 +50,7 @@ inline std::string around_lines(const std::string& text, const std::string& befo
 
 inline Vec3 vector_area(const TriangleSoup& soup) {
   Vec3 sum(0, 0, 0);
-  const auto at = [&](int v) -> const Vec3& { return soup.points[static_cast<std::size_t>(v)]; };
+  const auto at = [&](int v) -> const Vec3& { return soup.points[v]; };
   for (const Triangle& t : soup.triangles) {
     const Vec3 a = at(t[1]) - at(t[0]), b = at(t[2]) - at(t[0]);
     sum += 0.5 * Vec3(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);

@@ -86,6 +86,7 @@ std::vector<Variant> texts() {
       {"lines of the old Mac", "a.stl", replaced(plain, "\n", "\r")},
       {"byte order mark", "a.stl", "\xEF\xBB\xBF" + plain},
       {"one facet a line", "a.stl", replaced(replaced(plain, "\n    ", " "), "\n  endfacet", " endfacet")},
+      {"two facets a line", "a.stl", replaced(plain, "endfacet\n", "endfacet ")},
       {"two blanks in \"outer loop\"", "a.stl", replaced(plain, "outer loop", "outer  loop")},
       {"exponents of C", "a.stl", coordinates("1.000000e+00", "0.000000e+00")},
       {"exponents of old Windows compilers", "a.stl", coordinates("1.00000000E+000", "-0.00000000E+000")},

@@ -7,11 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
-#include <cstring>
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace loopmend {
 

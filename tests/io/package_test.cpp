@@ -5,7 +5,6 @@
 #include "io_test_support.h"
 #include "mesh/material_table.h"
 #include "mesh/scan_attributes.h"
-#include "samples/analytic_surfaces.h"
 
 #include <utility>
 

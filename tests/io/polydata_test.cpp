@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
-#include <sstream>
 #include <string>
 
 namespace loopmend {

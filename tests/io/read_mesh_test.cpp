@@ -28,12 +28,6 @@ TEST_F(ReadMesh, ContentTellsTheFormatWhateverTheName) {
   }
 }
 
-TEST_F(ReadMesh, Utf8MarkIsNoObstacle) {
-  for (const std::string& text : {ply, stl, obj, off}) {
-    EXPECT_EQ(read("\xEF\xBB\xBF" + text, "a.dat").soup.triangles.size(), 1U);
-  }
-}
-
 TEST_F(ReadMesh, NamesWithBlanksAndUmlauts) { EXPECT_EQ(read(obj, "ein Löffel (2).obj").soup.points.size(), 3U); }
 
 TEST_F(ReadMesh, RefusesForeignContentInItsOwnWords) {

@@ -9,14 +9,6 @@ class ReadOff : public ReadTest {};
 
 const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-TEST_F(ReadOff, HeaderVariants) {
-  for (const char* head :
-       {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF3 1 0\n", "3 1 0\n", "OFF\n3 1\n", "# c\n\nOFF # c\n# c\n3 1 0 # c\n",
-        "OFF\r\n3 1 0\r\n", "OFF\r3 1 0\r", "\xEF\xBB\xBFOFF\n3 1 0\n"}) {
-    EXPECT_EQ(read(head + body, "a.off").soup.triangles, (Triangles{{0, 1, 2}})) << head;
-  }
-}
-
 TEST_F(ReadOff, FaceColorsAndCommentsAreLeftOut) {
   const std::string text = "OFF\n4 2 0\n0 0 0# a\n1 0 0\n\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 0.1 0.2 0.3 1 # b\n";
   const ImportedMesh mesh = read(text, "a.off");

@@ -130,6 +130,15 @@ TEST_F(ReadPly, ReportCountsDegenerateAndCoincident) {
   EXPECT_EQ(mesh.report.vertices_welded, 0U);
 }
 
+TEST_F(ReadPly, PropertiesStayWithTheirFaces) {
+  std::string head = header("ascii", xyz, 3, 2);
+  head.insert(head.find("end_header"), "property float quality\n");
+  const ImportedMesh mesh = read(head + three_points + "2 0 1 0.5\n3 0 1 2 0.25\n", "a.ply");
+  ASSERT_EQ(mesh.soup.attributes->faces.size(), 1U);
+  ASSERT_EQ(mesh.soup.attributes->faces[0].rows(), 1U);
+  EXPECT_EQ(mesh.soup.attributes->faces[0].value(0), 0.25);
+}
+
 TEST_F(ReadPly, RefusesBrokenHeaders) {
   const std::string good = header("ascii", xyz) + three_points + "3 0 1 2\n";
   const auto with = [&](const std::string& from, const std::string& to) {

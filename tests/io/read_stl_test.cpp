@@ -3,7 +3,6 @@
 #include "io_test_support.h"
 
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace loopmend {
@@ -78,6 +77,7 @@ TEST_F(ReadStl, RefusesBrokenText) {
   expect_refused(with("vertex 1 0 0", "vertex 1 0 0 5"), "a.stl", {"\"5\"", "line 5"});
   expect_refused(with("vertex 1 0 0", "vertex 1 inf 0"), "a.stl", {"vertex 1", "finite", "line 5"});
   expect_refused(good + "junk\n", "a.stl", {"junk", "solid"});
+  expect_refused(with("facet normal", "facte normal"), "a.stl", {"facte"});
   expect_refused("solid a\nendsolid a\n", "a.stl", {"no points and no faces"});
   expect_refused("hello\nthere\n", "a.stl", {"solid"});
 }
@@ -91,6 +91,9 @@ TEST_F(ReadStl, RefusesBrokenBinary) {
   std::string fewer = good;
   fewer[80] = '\1';
   expect_refused(fewer, "a.stl", {"announces 1", "50 more bytes"});
+  std::string many_more = binary_stl(std::vector<float>(9000, 1.F)) + "7 bytes";
+  many_more.replace(80, 2, std::string("\1\0", 2));
+  expect_refused(many_more, "a.stl", {"announces 1 "});
   EXPECT_EQ(read(good + "trailer", "a.stl").soup.triangles.size(), 2U);
   expect_refused(good.substr(0, 40) + std::string(1, '\0'), "a.stl", {"header", "too early"});
   std::vector<float> bad = two_triangles;

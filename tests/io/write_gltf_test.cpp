@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <random>
-#include <set>
 
 namespace loopmend {
 namespace {

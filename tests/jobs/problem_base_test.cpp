@@ -21,7 +21,7 @@ TEST(ShapeWithout, LeavesOutTheseTrianglesOfALargeScan) {
   std::vector<int> cap;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
     if (std::any_of(soup.triangles[t].begin(), soup.triangles[t].end(),
-                    [&](int v) { return is_cap(soup.points[static_cast<std::size_t>(v)].z()); }))
+                    [&](int v) { return is_cap(soup.points[v].z()); }))
       cap.push_back(static_cast<int>(t));
   ASSERT_GT(cap.size(), 10'000U);
   const auto rest = shape_without(base, cap);

@@ -16,7 +16,7 @@ Points terrain(double height) {
 TEST(NoData, FindsTheVerticesOfTheMark) {
   for (const double mark : {-9999.0, -32768.0, -3.4028234663852886e38}) {
     Points points = terrain(400);
-    for (int v : {3, 17, 55}) points[static_cast<std::size_t>(v)].z() = mark;
+    for (int v : {3, 17, 55}) points[v].z() = mark;
     const NoDataVertices found = find_no_data(points);
     EXPECT_EQ(found.value, mark);
     EXPECT_EQ(found.vertices, (std::vector<int>{3, 17, 55}));

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -311,7 +310,7 @@ TEST(BoundaryLoops, AMissingTriangleThatAnotherSheetCoversIsACrack) {
   soup.triangles.erase(soup.triangles.begin() + 10);
   EXPECT_EQ(find_boundary_loops(make_surface_model(soup)).at(0).kind, LoopKind::hole);
   const int first = static_cast<int>(soup.points.size());
-  for (int v : gone) soup.points.push_back(Vec3(soup.points[static_cast<std::size_t>(v)]));
+  for (int v : gone) soup.points.push_back(Vec3(soup.points[v]));
   soup.points.push_back(2 * Vec3(soup.points.back()));
   soup.triangles.push_back({first, first + 1, first + 2});
   soup.triangles.push_back(

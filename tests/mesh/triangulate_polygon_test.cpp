@@ -28,8 +28,8 @@ Triangles triangulate(const Points& points, std::vector<int> polygon = {}) {
 }
 
 Vec3 area_vector(const Points& points, const Triangle& t) {
-  const Vec3& a = points[static_cast<std::size_t>(t[0])];
-  return 0.5 * (points[static_cast<std::size_t>(t[1])] - a).cross(points[static_cast<std::size_t>(t[2])] - a);
+  const Vec3& a = points[t[0]];
+  return 0.5 * (points[t[1]] - a).cross(points[t[2]] - a);
 }
 
 /// Inside and oriented alike: no triangle is turned over, and the areas add up.

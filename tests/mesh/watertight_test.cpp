@@ -34,7 +34,7 @@ TEST(Watertight, EveryTriangleWithItsOwnCornersIsTheSameSurface) {
   TriangleSoup apart;
   for (const Triangle& t : sphere.triangles) {
     const int first = static_cast<int>(apart.points.size());
-    for (int v : t) apart.points.push_back(sphere.points[static_cast<std::size_t>(v)]);
+    for (int v : t) apart.points.push_back(sphere.points[v]);
     apart.triangles.push_back({first, first + 1, first + 2});
   }
   EXPECT_TRUE(watertightness(apart).printable());

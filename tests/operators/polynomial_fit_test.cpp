@@ -13,7 +13,6 @@
 #include <cmath>
 #include <functional>
 #include <tuple>
-#include <vector>
 
 namespace loopmend {
 namespace {

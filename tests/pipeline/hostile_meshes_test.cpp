@@ -67,14 +67,14 @@ std::vector<HostileMesh> bent_surfaces() {
   add("fins on edges", [](TriangleSoup& s) {
     for (std::size_t k = 0; k < 40; k += 4) {
       s.triangles.push_back({s.triangles[k][0], s.triangles[k][1], static_cast<int>(s.points.size())});
-      s.points.push_back(2 * s.points[static_cast<std::size_t>(s.triangles[k][0])]);
+      s.points.push_back(2 * s.points[s.triangles[k][0]]);
     }
   });
   add("every face by itself", [](TriangleSoup& s) {
     TriangleSoup apart;
     for (const Triangle& t : s.triangles) {
       const int first = static_cast<int>(apart.points.size());
-      for (const int v : t) apart.points.push_back(s.points[static_cast<std::size_t>(v)]);
+      for (const int v : t) apart.points.push_back(s.points[v]);
       apart.triangles.push_back({first, first + 1, first + 2});
     }
     s = apart;

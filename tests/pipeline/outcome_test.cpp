@@ -4,7 +4,6 @@
 #include "core/random.h"
 #include "io/read_mesh.h"
 #include "mesh/region.h"
-#include "mesh/self_intersections.h"
 #include "pipeline/compare.h"
 #include "pipeline/evolve_patch.h"
 #include "pipeline/fill_holes.h"

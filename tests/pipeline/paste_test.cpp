@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/paste.h"
 
-#include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>

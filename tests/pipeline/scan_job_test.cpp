@@ -39,7 +39,7 @@ TriangleSoup open_ball() {
 TriangleSoup ball_with_a_fin() {
   TriangleSoup soup = open_ball();
   const Triangle& t = soup.triangles[soup.triangles.size() / 2];
-  soup.points.push_back(1.5 * soup.points[static_cast<std::size_t>(t[0])]);
+  soup.points.push_back(1.5 * soup.points[t[0]]);
   soup.triangles.push_back({t[0], t[1], static_cast<int>(soup.points.size()) - 1});
   return soup;
 }
@@ -71,8 +71,7 @@ TEST(ScanJob, NamedLoopsAreFilledWithTheContinuityThatIsNamed) {
   double highest = 0;  // of the flat patch over the plane through its loop
   const HoleResult& flat = results[1];
   for (int v = 0; v < flat.patch->patch.free_count; ++v)
-    highest = std::max(highest, std::abs(plan.model.soup.points[static_cast<std::size_t>(flat.first_point + v)].z() -
-                                         loop.center.z()));
+    highest = std::max(highest, std::abs(plan.model.soup.points[flat.first_point + v].z() - loop.center.z()));
   EXPECT_LT(highest, 0.05 * loop.diameter);  // a cap of the ball is 0.24 diameters high
 }
 
@@ -170,10 +169,7 @@ TEST(ScanJob, EachPatchStandsWhereItsResultSays) {
     EXPECT_GE(result.first_point, static_cast<int>(points));
     EXPECT_GE(result.first_triangle, static_cast<int>(triangles));
     for (int v = 0; v < patch.free_count; ++v)
-      EXPECT_LT((plan.model.soup.points[static_cast<std::size_t>(result.first_point + v)] -
-                 patch.to_mesh(patch.positions[static_cast<std::size_t>(v)]))
-                    .norm(),
-                1e-12);
+      EXPECT_LT((plan.model.soup.points[result.first_point + v] - patch.to_mesh(patch.positions[v])).norm(), 1e-12);
     new_points += static_cast<std::size_t>(patch.free_count);
     new_triangles += static_cast<std::size_t>(patch.patch_triangles);
   }

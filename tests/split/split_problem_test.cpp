@@ -4,14 +4,11 @@
 #include "core/random.h"
 #include "core/threads.h"
 #include "evolution/evolution.h"
-#include "operators/vertex_normals.h"
 #include "split/block_matrix.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
-
-#include <numeric>
 
 namespace loopmend {
 namespace {

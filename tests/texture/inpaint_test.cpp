@@ -104,7 +104,7 @@ TEST(Inpaint, StripesGoOnOverLargeGaps) {
   double sums[2] = {0, 0}, counts[2] = {0, 0};
   for (int y = 0; y < 500; ++y)
     for (int x = 0; x < 500; ++x)
-      if (made.pixels[static_cast<std::size_t>(500 * y + x)] == Pixel::wanted) {
+      if (made.pixels[500 * y + x] == Pixel::wanted) {
         sums[is_in_stripe(x)] += made.picture.at(x, y)[0];
         counts[is_in_stripe(x)] += 1;
       }

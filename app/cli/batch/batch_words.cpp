@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "batch_command.h"
 
-#include "cli/number_range.h"
-
 #include "cli/option_parser.h"
 
-#include <map>
+#include <array>
 
 namespace loopmend {
 
 namespace {
 
-/// An option that takes one of some words.
-template <class Value>
-void add_choice(CLI::App& app, const std::string& option, Value& value, const std::map<std::string, Value>& words,
-                const std::string& standard, const std::string& help) {
-  std::vector<std::string> names;
-  for (const auto& [name, meaning] : words) names.push_back(name);
-  app.add_option_function<std::string>(
-         option, [&value, words](const std::string& word) { value = words.at(word); }, help)
-      ->check(CLI::IsMember(names))
-      ->default_str(standard);
-}
+using Pictures = BatchCommand::Pictures;
+using FailOn = BatchCommand::FailOn;
+using Again = BatchCommand::Again;
+
+constexpr std::array<Named<Pictures>, 3> pictures_names{
+    {{"all", Pictures::all}, {"none", Pictures::none}, {"open", Pictures::open}}};
+constexpr std::array<Named<FailOn>, 3> fail_on_names{
+    {{"error", FailOn::error}, {"never", FailOn::never}, {"open", FailOn::open}}};
+constexpr std::array<Named<Again>, 3> again_names{{{"all", Again::all}, {"none", Again::none}, {"open", Again::open}}};
 
 }  // namespace
 
@@ -34,18 +30,12 @@ void add_batch(CLI::App& app, BatchCommand& command) {
       ->capture_default_str();
   batch->add_option("--format", command.format, "Format of the outputs (default: that of each input)")
       ->check(CLI::IsMember({"ply", "stl", "obj", "off", "glb", "gltf", "3mf", "vtp", "vtk"}));
-  using Pictures = BatchCommand::Pictures;
-  add_choice<Pictures>(*batch, "--pictures", command.pictures,
-                       {{"none", Pictures::none}, {"open", Pictures::open}, {"all", Pictures::all}}, "all",
-                       "Pictures before and after: of all scans, of those to look at, or none");
-  using FailOn = BatchCommand::FailOn;
-  add_choice<FailOn>(*batch, "--fail-on", command.fail_on,
-                     {{"never", FailOn::never}, {"error", FailOn::error}, {"open", FailOn::open}}, "error",
-                     "Exit code 1: never, where a scan has no output, or also where one is to be looked at");
-  using Again = BatchCommand::Again;
-  add_choice<Again>(*batch, "--again", command.again,
-                    {{"none", Again::none}, {"open", Again::open}, {"all", Again::all}}, "none",
-                    "Complete scans that are filled once more: none, those to look at, or all");
+  add_named(*batch, "--pictures", command.pictures, pictures_names,
+            "Pictures before and after: of all scans, of those to look at, or none");
+  add_named(*batch, "--fail-on", command.fail_on, fail_on_names,
+            "Exit code 1: never, where a scan has no output, or also where one is to be looked at");
+  add_named(*batch, "--again", command.again, again_names,
+            "Complete scans that are filled once more: none, those to look at, or all");
   batch->add_flag_callback(
       "--overwrite", [&command] { command.existing = BatchCommand::Existing::overwrite; },
       "Replace files in DIR that no batch wrote, or that have changed since");

@@ -84,7 +84,7 @@ void add_compare(CLI::App& app, CompareCommand& command) {
   compare->add_flag_callback(
       "--open", [&command] { command.boundary = PolyhedronBoundary::smooth; },
       "With --subdivide: take an open polyhedron");
-  command.words.boundary = "exact";  // the flows themselves are compared
+  command.words.evolution.boundary = BoundaryTrust::exact;  // the flows themselves are compared
   add_flow_options(*compare, command.words, DensityOption::offer);
   compare->get_option("--boundary")->check(CLI::IsMember({"exact", "robust"}));
   compare->remove_option(compare->get_option("--flow"));

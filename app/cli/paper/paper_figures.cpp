@@ -9,7 +9,6 @@
 #include "pipeline/evolve_patch.h"
 #include "problems/comparison_table.h"
 #include "problems/paper_examples.h"
-#include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 
 #include <algorithm>

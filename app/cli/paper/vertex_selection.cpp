@@ -10,7 +10,6 @@
 #include <cctype>
 #include <charconv>
 #include <fstream>
-#include <functional>
 #include <optional>
 #include <sstream>
 

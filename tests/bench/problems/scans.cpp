@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scans.h"
 
-#include "core/error.h"
 #include "io/read_mesh.h"
 #include "mesh/mesh_arrays.h"
 #include "mesh/surface_model.h"

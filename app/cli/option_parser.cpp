@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/number_range.h"
+#include "cli/option_parser.h"
 
 #include <sstream>
 
