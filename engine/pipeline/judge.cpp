@@ -33,6 +33,7 @@ constexpr double worse_ratio = 1.2, worse_deg = 2;
 /// Knobs and creases inside a patch: edges that bend by so much, and by so much more than 19 of 20 edges of the scan around, and
 /// are so long together, in diameters of the loop.
 constexpr double bent_deg = 45, bent_more_deg = 15, bent_length = 0.5;
+constexpr int fewest_bent = 3;
 constexpr double flat_height = 0.05;  ///< of a cap over a flat loop, beyond the loop itself
 /// Heights beyond these, and beyond what a ball through the seam would reach.
 constexpr double notable_height = 0.25, notable_ratio = 2;
@@ -235,12 +236,14 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
           std::abs(place.axis.dot(patch.positions[v] - place.center)) / place.diameter - place.own_height;
       verdicts[loop_of[f]].height = std::max(verdicts[loop_of[f]].height, height);
     }
-  std::vector<double> lengths(patch.loops.size()), angles(patch.loops.size());
-  for (const Bends::Edge& edge : bends.inside)
-    if (edge.angle > bends.most_inside()) {
-      lengths[loop_of[edge.triangle]] += edge.length;
-      angles[loop_of[edge.triangle]] += edge.length * edge.angle;
-    }
+  std::vector<BentEdges> bent(patch.loops.size());
+  for (const Bends::Edge& edge : bends.inside) {
+    if (edge.angle <= bends.most_inside()) continue;
+    BentEdges& of_loop = bent[loop_of[edge.triangle]];
+    ++of_loop.count;
+    of_loop.length += edge.length;
+    if (of_loop.length > 0) of_loop.mean += edge.length / of_loop.length * (edge.angle - of_loop.mean);
+  }
   const std::vector<Proportion> proportions = proportions_of(patch, initial_);
   for (std::size_t l = 0; l < patch.loops.size(); ++l) {
     Verdict& verdict = verdicts[l];
@@ -256,7 +259,7 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
     judge_height(l, verdict);
     judge_seam(l, bends.along(patch.loops[l]), bends.most_at_seam(), verdict);
     judge_curvature(l, seams, verdict);
-    judge_inside(l, lengths[l], angles[l], verdict);
+    judge_inside(l, bent[l], verdict);
     std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
                      [](const Notice& a, const Notice& b) { return a.code < b.code; });
   }
@@ -294,10 +297,11 @@ void Judge::judge_curvature(std::size_t l, const std::vector<SeamReport>& seams,
     add(verdict, Grade::bad, {NoticeCode::curvature_torn, {now, before}});
 }
 
-void Judge::judge_inside(std::size_t l, double length, double angle_times_length, Verdict& verdict) const {
+void Judge::judge_inside(std::size_t l, const BentEdges& bent, Verdict& verdict) const {
   if (creases_ == Creases::asked_for || ends_at(l) || !expected_creases_.empty()) return;
-  if (length > bent_length * places_[l].diameter)
-    add(verdict, Grade::look, {NoticeCode::bent_inside, {angle_times_length / length, length / places_[l].diameter}});
+  const double diameters = bent.length / places_[l].diameter;
+  if (bent.count >= fewest_bent && diameters > bent_length)
+    add(verdict, Grade::look, {NoticeCode::bent_inside, {bent.mean, diameters}});
 }
 
 void Judge::judge_height(std::size_t l, Verdict& verdict) const {

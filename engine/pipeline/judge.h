@@ -78,7 +78,12 @@ class Judge {
   void judge_seam(std::size_t loop, const std::vector<double>& bends, double most_at_seam, Verdict& verdict) const;
   void judge_curvature(std::size_t loop, const std::vector<SeamReport>& seams, Verdict& verdict) const;
   void judge_height(std::size_t loop, Verdict& verdict) const;
-  void judge_inside(std::size_t loop, double length, double angle_times_length, Verdict& verdict) const;
+  /// Edges inside the patch of one loop that bend too much.
+  struct BentEdges {
+    int count = 0;
+    double length = 0, mean = 0;  ///< patch frame; degrees
+  };
+  void judge_inside(std::size_t loop, const BentEdges& bent, Verdict& verdict) const;
   bool expects_crease(std::size_t loop, std::size_t edge) const {
     return loop < expected_creases_.size() && edge < expected_creases_[loop].size() && expected_creases_[loop][edge];
   }

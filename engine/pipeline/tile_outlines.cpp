@@ -27,7 +27,7 @@ struct Place {
   double reach = 0;  ///< length of the edges there
   int part = 0;
   std::size_t outline = 0;
-  bool is_over = false;
+  bool is_over = false, is_beside = false;  ///< a triangle of another part; a boundary edge of one
 };
 
 Vec3 normal_at(const TriMesh& mesh, TriMesh::VertexHandle v) {
@@ -80,7 +80,7 @@ std::size_t count_overlapping_outlines(const SurfaceModel& model, const std::vec
       const int point = model.soup_vertex[static_cast<std::size_t>(v.idx())];
       places.push_back({model.mesh.point(v), normal_at(model.mesh, v),
                         (model.mesh.point(w) - model.mesh.point(v)).norm(), part_of[static_cast<std::size_t>(point)], k,
-                        false});
+                        false, false});
       farthest = std::max(farthest, places.back().reach);
     }
   }
@@ -98,20 +98,18 @@ std::size_t count_overlapping_outlines(const SurfaceModel& model, const std::vec
     const TreeBox query(tree_point(box.min() - around), tree_point(box.max() + around));
     for (auto it = tree.qbegin(bg::index::intersects(query)); it != tree.qend(); ++it) {
       Place& place = places[static_cast<std::size_t>(it->second)];
-      if (place.is_over || place.part == part_of[at(t[0])] || !lies_over(place, p[at(t[0])], p[at(t[1])], p[at(t[2])]))
-        continue;
-      bool is_beside = false;
+      if (place.is_beside || place.part == part_of[at(t[0])]) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const int a = t[k], b = t[(k + 1) % 3];
-        is_beside = is_beside || (at_boundary[at(a)] && at_boundary[at(b)] && lies_beside(place, p[at(a)], p[at(b)]));
+        place.is_beside |= at_boundary[at(a)] && at_boundary[at(b)] && lies_beside(place, p[at(a)], p[at(b)]);
       }
-      place.is_over = !is_beside;
+      place.is_over |= lies_over(place, p[at(t[0])], p[at(t[1])], p[at(t[2])]);
     }
   });
   std::vector<std::size_t> all(loops.size(), 0), over(loops.size(), 0);
   for (const Place& place : places) {
     ++all[place.outline];
-    over[place.outline] += place.is_over;
+    over[place.outline] += place.is_over && !place.is_beside;
   }
   std::size_t count = 0;
   for (std::size_t k = 0; k < loops.size(); ++k)

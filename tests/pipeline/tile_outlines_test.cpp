@@ -29,6 +29,7 @@ TEST(TileOutlines, TilesThatLieOnEachOtherAreCounted) {
 TEST(TileOutlines, TilesBesideOrFarAboveEachOtherAreNot) {
   EXPECT_EQ(of_two_tiles(2, 0), 0U);
   EXPECT_EQ(of_two_tiles(2.1, 0), 0U);
+  EXPECT_EQ(of_two_tiles(1.9999, 1e-4), 0U);  // a crack
   EXPECT_EQ(of_two_tiles(1.2, 0.4), 0U);
 }
 
