@@ -223,11 +223,12 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
   if (verdicts.empty()) return verdicts;
   const Bends bends(patch);
   const std::vector<int> loop_of = loop_of_triangles(patch);
-  for (int f : bends.folds_at_seam) ++verdicts[loop_of[f]].folds;
-  // A cap over a cut cannot help where a sliver of the scan turns away at its seam.
-  for (std::size_t l = 0; l < patch.loops.size(); ++l)
-    if (ends_at(l) && verdicts[l].folds < Run::edges_of(torn_seam_share, patch.loops[l].size())) verdicts[l].folds = 0;
   for (int f : bends.folds) ++verdicts[loop_of[f]].folds;
+  std::vector<int> folds_at_seam(patch.loops.size());
+  for (int f : bends.folds_at_seam) {
+    ++verdicts[loop_of[f]].folds;
+    ++folds_at_seam[loop_of[f]];
+  }
   for (int f = 0; f < patch.patch_triangles; ++f)
     for (int v : patch.triangles[f]) {
       const LoopPlace& place = places_[loop_of[f]];
@@ -250,7 +251,11 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
     if (l < validity.intersections_of_loop.size()) verdict.crossings = validity.intersections_of_loop[l];
     if (verdict.crossings > 0)
       add(verdict, Grade::bad, {NoticeCode::crosses_surface, {static_cast<double>(verdict.crossings)}});
-    if (verdict.folds > 0) add(verdict, Grade::bad, {NoticeCode::folded_edges, {static_cast<double>(verdict.folds)}});
+    // A cap over a cut cannot help where a sliver of the scan turns away at its seam.
+    const bool forced = ends_at(l) && verdict.folds == folds_at_seam[l] &&
+                        folds_at_seam[l] < Run::edges_of(torn_seam_share, patch.loops[l].size());
+    if (verdict.folds > 0 && !forced)
+      add(verdict, Grade::bad, {NoticeCode::folded_edges, {static_cast<double>(verdict.folds)}});
     if (l < proportions.size()) verdict.proportion = proportions[l];
     if (is_out_of_proportion(verdict.proportion))
       add(verdict, Grade::bad, {NoticeCode::bubble, {verdict.proportion.area, verdict.proportion.depth}});

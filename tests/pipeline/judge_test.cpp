@@ -143,6 +143,7 @@ TEST(Judge, DoesNotBlameACapForASliverOfItsWall) {
   };
   EXPECT_EQ(cap(LoopEnd::flat, 0).grade, Grade::good);
   EXPECT_EQ(cap(LoopEnd::flat, 1).grade, Grade::good) << cap(LoopEnd::flat, 1).message();
+  EXPECT_EQ(cap(LoopEnd::flat, 1).folds, 1);
   EXPECT_EQ(cap(LoopEnd::runs_on, 1).folds, 1);
   EXPECT_EQ(cap(LoopEnd::runs_on, 1).grade, Grade::bad);
   EXPECT_EQ(cap(LoopEnd::flat, 12).folds, 12);
