@@ -94,7 +94,7 @@ Json verdict_json(const Verdict& verdict) {
   return {{"grade", to_string(verdict.grade)},
           {"sentence", verdict.message().english()},
           {"findings", findings},
-          {"crease_deg", json_number(verdict.crease_deg)},
+          {"crease_deg", verdict.crease_deg ? json_number(*verdict.crease_deg) : Json(nullptr)},
           {"height", json_number(verdict.height)},
           {"folds", verdict.folds}};
 }

@@ -93,7 +93,7 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
       case crease:
         return tr(
             "Bend of the surface along the seam, in degrees: 8 % of the seam's edges, at least two, have it or more; "
-            "known once the hole is filled");
+            "known once the hole is filled; 'edge' where one belongs there, as at a flat base");
       case deviation:
         return tr(
             "How far the patch is likely from what was there (80 %), in the scan's unit; known once the hole is "
@@ -144,7 +144,9 @@ QVariant HoleTable::text(int loop, int column) const {
     case scan: return document_.present(loop) ? document_.scan(document_.scan_of(loop))->name : QString();
     case boundary: return boundary_of(loop) ? labels::neighborhood(boundary_of(loop)->split.kind()) : QString();
     case crease:
-      return document_.verdict(loop) ? tr("%1\u00b0").arg(std::lround(document_.verdict(loop)->crease_deg)) : QString();
+      if (!document_.verdict(loop)) return {};
+      return document_.verdict(loop)->crease_deg ? tr("%1\u00b0").arg(std::lround(*document_.verdict(loop)->crease_deg))
+                                                 : tr("edge");
     case deviation: {
       const ExpectedDeviation expected = document_.deviation(loop);
       return expected.is_known() ? labels::number(expected.likely) : QString();
@@ -166,7 +168,7 @@ QVariant HoleTable::sort_key(int loop, int column) const {
     case kind: return static_cast<int>(l.kind);
     case scan: return document_.scan_of(loop);
     case boundary: return boundary_of(loop) ? boundary_of(loop)->noise_per_edge : -1;
-    case crease: return document_.verdict(loop) ? document_.verdict(loop)->crease_deg : -1;
+    case crease: return document_.verdict(loop) ? document_.verdict(loop)->crease_deg.value_or(0) : -1;
     case deviation: return document_.deviation(loop).is_known() ? document_.deviation(loop).likely : -1;
     case state: return urgency(document_.state(loop));
     default: return {};

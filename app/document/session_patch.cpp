@@ -73,7 +73,13 @@ void fields(auto& stream, Is<SeamReport> auto& seam) {
 
 void fields(auto& stream, Is<Verdict> auto& verdict) {
   stream.word(verdict.grade, Grade::bad);
-  for (auto* x : {&verdict.crease_deg, &verdict.height}) stream.number(*x);
+  bool has_crease = verdict.crease_deg.has_value();
+  double crease = verdict.crease_deg.value_or(0);
+  stream.flag(has_crease);
+  stream.number(crease);
+  if constexpr (is_reading<decltype(stream)>)
+    verdict.crease_deg = has_crease ? std::optional<double>(crease) : std::nullopt;
+  stream.number(verdict.height);
   stream.whole(verdict.folds);
   stream.list(verdict.findings, sizeof(qint32), [&](auto& finding) {
     stream.word(finding.code, NoticeCode::mirror_faulty);

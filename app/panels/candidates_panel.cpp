@@ -140,7 +140,7 @@ CardText CandidatesPanel::text_of(const Candidate& candidate) const {
   for (const OpenPatch& patch : candidate.patches) {
     const PatchState& state = *patch.state;
     for (const Verdict& verdict : state.verdicts) {
-      crease = std::max(crease, verdict.crease_deg);
+      crease = std::max(crease, verdict.crease_deg.value_or(0));
       if (!worst || verdict.grade > worst->grade) worst = verdict;
     }
     is_known = is_known && !state.deviation.loops.empty();

@@ -284,8 +284,11 @@ void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double m
     }
     if (bends[k] > most_at_seam) crease.add(bends[k]);
   }
+  if (creases_ == Creases::asked_for || ends_at(l)) {
+    verdict.crease_deg.reset();
+    return;
+  }
   verdict.crease_deg = crease_of(std::move(unwanted), bends.size());
-  if (creases_ == Creases::asked_for || ends_at(l)) return;
   if (torn.counts(torn_seam_share, bends.size()))
     add(verdict, Grade::bad, {NoticeCode::torn_seam, {torn.mean, static_cast<double>(torn.edges), was.mean}});
   else if (crease.counts(seam_crease_share, bends.size()))

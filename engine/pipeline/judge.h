@@ -30,11 +30,13 @@ const char* to_string(Grade grade);
 struct Verdict {
   Grade grade = Grade::good;
   std::vector<Notice> findings;  ///< the most serious first; empty where it is good
-  double crease_deg = 0;         ///< bend of the seam that 8 % of its edges, at least two, have or exceed
-  double height = 0;             ///< over the loop's best plane, beyond the loop itself, in loop diameters
-  int crossings = 0;             ///< places where it intersects the surface or itself
-  int folds = 0;                 ///< edges bent by more than 150°
-  Proportion proportion;         ///< to the initial patch
+  /// Bend of the seam that 8 % of its edges, at least two, have or exceed. Nothing where an edge belongs there: at the base of a
+  /// bust, at the end of a tube, with position alone.
+  std::optional<double> crease_deg = 0;
+  double height = 0;      ///< over the loop's best plane, beyond the loop itself, in loop diameters
+  int crossings = 0;      ///< places where it intersects the surface or itself
+  int folds = 0;          ///< edges bent by more than 150°
+  Proportion proportion;  ///< to the initial patch
 
   bool operator==(const Verdict&) const = default;
   /// "a crease of 50° along 12 edges of the seam"; empty where it is good.

@@ -142,7 +142,8 @@ class Verdict:
     grade: "good"; "look": sound, a person should look at it; "bad": it folds, crosses the surface, tears its seam or is a bubble.
     sentence: the most serious finding; empty where the patch is good.
     findings: all of them, the most serious first.
-    crease_deg: bend of the seam that 8 % of its edges, at least two, have or exceed, degrees.
+    crease_deg: bend of the seam that 8 % of its edges, at least two, have or exceed, degrees; None where an edge belongs
+        there, as at a flat base.
     height: of the patch over the loop's best plane, beyond the loop itself, in loop diameters.
     folds: edges bent by more than 150 degrees.
     """
@@ -150,7 +151,7 @@ class Verdict:
     grade: Grade
     sentence: str
     findings: Tuple[Finding, ...]
-    crease_deg: float
+    crease_deg: Optional[float]
     height: float
     folds: int
 

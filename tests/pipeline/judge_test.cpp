@@ -40,7 +40,7 @@ TEST(Judge, CallsTheSphereGoodAndThePlaneACrease) {
   const OpenSphere open;
   const Verdict sphere = open.of([](const Vec3& p) { return p.normalized(); });
   EXPECT_EQ(sphere.grade, Grade::good) << sphere.message();
-  EXPECT_LT(sphere.crease_deg, 10);
+  EXPECT_LT(sphere.crease_deg.value(), 10);
   EXPECT_NEAR(sphere.height, 0.5 / std::sqrt(3.0), 0.02);  // of the cap over its circle of diameter √3
   EXPECT_EQ(sphere.message().english(), "");
   const Verdict plane = open.of([](const Vec3& p) { return Vec3(p.x(), p.y(), 0.5); });
@@ -64,9 +64,9 @@ TEST(Judge, TheCreaseIsTheBendThatDecides) {
   };
   const double edge = 2 * std::acos(-1) / static_cast<double>(open.initial.loops[0].size());
   const Verdict narrow = sector(edge), wide = sector(6 * edge);
-  EXPECT_LT(narrow.crease_deg, 35) << narrow.message();
+  EXPECT_LT(narrow.crease_deg.value(), 35) << narrow.message();
   EXPECT_EQ(std::ranges::count(narrow.findings, NoticeCode::crease, &Notice::code), 0) << narrow.message();
-  EXPECT_GT(wide.crease_deg, 35);
+  EXPECT_GT(wide.crease_deg.value(), 35);
   EXPECT_EQ(std::ranges::count(wide.findings, NoticeCode::crease, &Notice::code), 1);
 }
 
@@ -142,6 +142,7 @@ TEST(Judge, DoesNotBlameACapForASliverOfItsWall) {
     return Judge(patch, {end}, Judge::Creases::unwanted)(patch, Validity(), seam_reports(patch)).at(0);
   };
   EXPECT_EQ(cap(LoopEnd::flat, 0).grade, Grade::good);
+  EXPECT_FALSE(cap(LoopEnd::flat, 0).crease_deg.has_value());  // the edge belongs there
   EXPECT_EQ(cap(LoopEnd::flat, 1).grade, Grade::good) << cap(LoopEnd::flat, 1).message();
   EXPECT_EQ(cap(LoopEnd::flat, 1).folds, 1);
   EXPECT_EQ(cap(LoopEnd::runs_on, 1).folds, 1);
