@@ -22,11 +22,10 @@ constexpr double end_of_a_wall = 0.5;   ///< the same; outlines of plates have l
 constexpr double looks_at = 0.7;        ///< cosine of the angle between the way the surface goes on and the other loop
 constexpr double most_apart_of_tubes = 2;  ///< in diameters of the wider one
 constexpr double alike = 0.6;              ///< shorter perimeter, in longer ones
-constexpr int fewest_edges_of_a_tube = 8, most_edges_tried = 2000, most_tubes_tried = 8;
+constexpr int fewest_edges_of_a_tube = 8, most_edges_tried = 2000, most_tubes_tried = 4;
 constexpr double least_extent = 0.08;  ///< of a tube's end in its piece of surface: small holes of a scan are none
 constexpr int few_edges = 400;
-constexpr double coarse =
-    0.25;  ///< density where there are more edges: whether a tube joins the loops hardly depends on it
+constexpr double coarse = 0.25;  ///< density that is tried first: enough for even rims
 
 constexpr double longest_gap_edge = 0.5;  ///< width of a gap in its length
 constexpr double shortest_gap = 0.5;      ///< its length in diameters of the smaller outline
@@ -68,21 +67,29 @@ void add_tubes(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops
     for (std::size_t j = i + 1; ends[i] && j < loops.size(); ++j) {  // by falling perimeter
       if (loops[j].perimeter < alike * loops[i].perimeter) break;
       const double apart = (loops[i].center - loops[j].center).norm();
-      if (ends[j] && apart > 0 && apart < most_apart_of_tubes * std::max(loops[i].diameter, loops[j].diameter) &&
+      const double edge = loops[i].perimeter / loops[i].edges();
+      if (ends[j] && apart > narrowest_gap * edge &&
+          apart < most_apart_of_tubes * std::max(loops[i].diameter, loops[j].diameter) &&
           is_across(*ends[i], loops[j].center) && is_across(*ends[j], loops[i].center))
         near.emplace_back(apart, static_cast<int>(i), static_cast<int>(j));
     }
   std::sort(near.begin(), near.end());
   int tried = 0;
+  std::set<int> seen = taken;
   for (const auto& [apart, i, j] : near) {
-    if (taken.contains(i) || taken.contains(j)) continue;
+    if (seen.contains(i) || seen.contains(j)) continue;
     const std::vector<BoundaryLoop> both{loops[static_cast<std::size_t>(i)], loops[static_cast<std::size_t>(j)]};
     if (both[0].edges() + both[1].edges() > most_edges_tried || ++tried > most_tubes_tried) continue;
+    seen.insert({i, j});
+    const auto joins = [&](double density) {
+      InitialPatchOptions options;
+      options.density = density;
+      const BridgeOutcome tube = bridge_loops(model, both, options, cancel);
+      return tube.bridge && tube.bridge->quality.is_clean();
+    };
+    if (!joins(coarse) && !(both[0].edges() + both[1].edges() <= few_edges && joins(1))) continue;
     taken.insert({i, j});
-    InitialPatchOptions options;
-    if (both[0].edges() + both[1].edges() > few_edges) options.density = coarse;
-    const BridgeOutcome tube = bridge_loops(model, both, options, cancel);
-    if (tube.bridge && tube.bridge->quality.is_clean()) pairs.push_back({{i, j}, RimPair::Kind::tube});
+    pairs.push_back({{i, j}, RimPair::Kind::tube});
   }
 }
 
