@@ -18,7 +18,7 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr qint32 format_version = 11;  ///< no other one is read
+constexpr qint32 format_version = 12;  ///< no other one is read
 
 using Writer = SessionWriter;
 using Reader = SessionReader;
@@ -48,6 +48,7 @@ void put(Writer& out, const SessionView& view) {
   put(out, view.look.H);
   put(out, view.look.K);
   out.put(static_cast<qint32>(view.look.stripes));
+  out.put(static_cast<qint32>(view.look.up));
 }
 
 SessionView session_view(Reader& in) {
@@ -65,6 +66,7 @@ SessionView session_view(Reader& in) {
   view.look.K = color_range(in);
   view.look.stripes = in.number<qint32>();
   if (view.look.stripes < 3 || view.look.stripes > 40) in.fail(say("the number of stripes is out of range"));
+  view.look.up = in.word(UpAxis::minus_z);
   return view;
 }
 

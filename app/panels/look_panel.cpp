@@ -231,6 +231,11 @@ void LookPanel::set_color_map(ColorMap map) {
   Q_EMIT look_changed(look_);
 }
 
+void LookPanel::set_up(UpAxis up) {
+  look_.up = up;
+  Q_EMIT look_changed(look_);
+}
+
 void LookPanel::know_range(double half_width) { range_in_force_ = half_width; }
 
 }  // namespace loopmend

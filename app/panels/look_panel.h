@@ -30,6 +30,7 @@ class LookPanel : public QWidget {
   void set_edges(Edges edges);
   void set_seams(Seams seams);
   void set_color_map(ColorMap map);
+  void set_up(UpAxis up);
   /// The half-width in force, to begin with when a range of one's own is wanted.
   void know_range(double half_width);
   ClippingBox& clipping() { return *clipping_; }

@@ -21,6 +21,9 @@ struct ColorRange {
   double half_width = 1;  ///< above 0; 1/length for H, 1/length² for K
 };
 
+/// Which way is up: for the named sides, for the first picture, and for what turns about it.
+enum class UpAxis { by_shape, x, minus_x, y, minus_y, z, minus_z };
+
 struct Look {
   Shading shading = Shading::curvature;
   Edges edges = Edges::hidden;
@@ -28,6 +31,7 @@ struct Look {
   ColorMap map = ColorMap::blue_orange;
   ColorRange H, K;
   int stripes = 9;  ///< 3..40, of zebra and isophotes
+  UpAxis up = UpAxis::by_shape;
 
   const ColorRange& range() const { return shading == Shading::gaussian ? K : H; }
   ColorRange& range() { return shading == Shading::gaussian ? K : H; }

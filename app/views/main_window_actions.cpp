@@ -6,6 +6,7 @@
 #include "dialogs/about.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/help_window.h"
+#include "dialogs/navigation_sheet.h"
 #include "dialogs/picture_dialog.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/repair_dialog.h"
@@ -40,6 +41,14 @@ namespace {
 constexpr std::pair<const char*, NamedView> sides[] = {
     {"lookFront", NamedView::front}, {"lookBack", NamedView::back}, {"lookLeft", NamedView::left},
     {"lookRight", NamedView::right}, {"lookTop", NamedView::top},   {"lookBottom", NamedView::bottom}};
+constexpr std::pair<const char*, UpAxis> up_axes[] = {
+    {"upByShape", UpAxis::by_shape}, {"upX", UpAxis::x}, {"upMinusX", UpAxis::minus_x}, {"upY", UpAxis::y},
+    {"upMinusY", UpAxis::minus_y},   {"upZ", UpAxis::z}, {"upMinusZ", UpAxis::minus_z}};
+constexpr std::pair<const char*, NavigationStyle> navigation_styles[] = {
+    {"navigateLoopmend", NavigationStyle::loopmend},
+    {"navigateBlender", NavigationStyle::blender},
+    {"navigateMeshLab", NavigationStyle::meshlab},
+    {"navigateCad", NavigationStyle::cad}};
 constexpr std::pair<const char*, Shading> shadings[] = {
     {"scanColors", Shading::scan},    {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
     {"plain", Shading::plain},        {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes},
@@ -100,6 +109,16 @@ void MainWindow::connect_view_actions() {
     view_->set_projection(on ? MeshView::Projection::orthographic : MeshView::Projection::perspective);
   });
   for (const auto& [name, side] : sides) a.on(name, this, [this, from = side] { view_->look_from(from); });
+  for (const auto& [name, up] : up_axes) a.on(name, this, [this, wanted = up] { look_->set_up(wanted); });
+  for (const auto& [name, style] : navigation_styles)
+    a.on(name, this, [this, wanted = style] {
+      save_navigation(wanted);
+      view_->set_navigation(wanted);
+    });
+  view_->set_navigation(load_navigation());
+  for (const auto& [name, style] : navigation_styles)
+    if (style == load_navigation()) a[name]->setChecked(true);
+  a.on("navigationSheet", this, [this] { show_beside<NavigationSheet>(this); });
   a.on("probe", view_, &MeshView::probe_middle);
   a.on("hidePiece", pieces_, &PieceMenu::hide);
   a.on("isolatePiece", pieces_, &PieceMenu::isolate);
@@ -237,6 +256,8 @@ void MainWindow::update_actions() {
   const Look& look = look_->look();
   for (const auto& [name, shading] : shadings)
     if (shading == look.shading) a[name]->setChecked(true);
+  for (const auto& [name, up] : up_axes)
+    if (up == look.up) a[name]->setChecked(true);
   a["wireframe"]->setChecked(look.edges == Edges::shown);
   a["seams"]->setChecked(look.seams == Seams::shown);
   holes_->small_holes().set_use(idle ? SmallHolesBox::Use::possible : SmallHolesBox::Use::busy);

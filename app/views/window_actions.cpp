@@ -9,7 +9,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include <cstring>
+#include <map>
 
 namespace loopmend {
 namespace {
@@ -20,11 +20,13 @@ struct Spec {
   const char* help;
   const char* keys;  ///< several are separated by "; "; the first is shown
   const char* icon;  ///< in resources/icons; may be null
-  enum class Kind { plain, toggle, choice } kind = Kind::plain;
+  enum class Kind { plain, toggle, choice, up_choice, navigation_choice } kind = Kind::plain;
 };
 
 constexpr auto toggle = Spec::Kind::toggle;
 constexpr auto choice = Spec::Kind::choice;
+constexpr auto up_choice = Spec::Kind::up_choice;
+constexpr auto navigation_choice = Spec::Kind::navigation_choice;
 
 const Spec specs[] = {
     {"open", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Open\u2026"),
@@ -120,6 +122,35 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from above"), "Ctrl+5", nullptr},
     {"lookBottom", QT_TRANSLATE_NOOP("loopmend::WindowActions", "B&ottom"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "See everything from below"), "Ctrl+6", nullptr},
+    {"upByShape", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&As the shape suggests"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Up is z where the scan is tallest along z, else y"), "", nullptr,
+     up_choice},
+    {"upX", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&X up"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The x axis points upwards"), "", nullptr, up_choice},
+    {"upMinusX", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&\u2212X up"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The x axis points downwards"), "", nullptr, up_choice},
+    {"upY", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Y up"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The y axis points upwards"), "", nullptr, up_choice},
+    {"upMinusY", QT_TRANSLATE_NOOP("loopmend::WindowActions", "\u2212Y u&p"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The y axis points downwards"), "", nullptr, up_choice},
+    {"upZ", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Z up"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The z axis points upwards"), "", nullptr, up_choice},
+    {"upMinusZ", QT_TRANSLATE_NOOP("loopmend::WindowActions", "\u2212Z &up"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "The z axis points downwards"), "", nullptr, up_choice},
+    {"navigateLoopmend", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Loopmend navigation"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "Drag with the left button to turn"), "", nullptr, navigation_choice},
+    {"navigateBlender", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Blender navigation"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Drag with the middle button to turn about the up axis, with Shift to move"),
+     "", nullptr, navigation_choice},
+    {"navigateMeshLab", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&MeshLab navigation"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Drag with the left button to turn, with Ctrl to move, with Shift to zoom"),
+     "", nullptr, navigation_choice},
+    {"navigateCad", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&CAD navigation"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions",
+                       "Drag with the middle button to turn, with Ctrl to move, with Shift to zoom"),
+     "", nullptr, navigation_choice},
     {"probe", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Values in the middle"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Show the values at the middle of the picture"), "P", nullptr},
     {"fillAction", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Fill and smooth"),
@@ -200,6 +231,9 @@ const Spec specs[] = {
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Find any command by typing, and run it"), "Ctrl+K", nullptr},
     {"shortcuts", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&Keyboard shortcuts"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "All keys on one sheet"), "?", nullptr},
+    {"navigationSheet", QT_TRANSLATE_NOOP("loopmend::WindowActions", "&What differs\u2026"),
+     QT_TRANSLATE_NOOP("loopmend::WindowActions", "What the mouse does in each style of navigation, on one sheet"), "",
+     nullptr},
     {"about", QT_TRANSLATE_NOOP("loopmend::WindowActions", "A&bout Loopmend"),
      QT_TRANSLATE_NOOP("loopmend::WindowActions", "Version and licence"), "", nullptr},
 };
@@ -214,7 +248,8 @@ QList<QKeySequence> keys_of(const char* text) {
 }  // namespace
 
 WindowActions::WindowActions(QMainWindow* window) : QObject(window), window_(window) {
-  auto* choices = new QActionGroup(this);
+  std::map<Spec::Kind, QActionGroup*> choices;
+  for (Spec::Kind kind : {choice, up_choice, navigation_choice}) choices[kind] = new QActionGroup(this);
   for (const Spec& spec : specs) {
     auto* action = new QAction(tr(spec.text), window);
     action->setObjectName(QLatin1String(spec.name));
@@ -223,7 +258,7 @@ WindowActions::WindowActions(QMainWindow* window) : QObject(window), window_(win
     action->setToolTip(shown.isEmpty() ? tr(spec.help) : tr("%1 (%2)").arg(tr(spec.help), shown));
     action->setStatusTip(tr(spec.help));
     action->setCheckable(spec.kind != Spec::Kind::plain);
-    if (spec.kind == choice) choices->addAction(action);
+    if (const auto group = choices.find(spec.kind); group != choices.end()) group->second->addAction(action);
     window->addAction(action);
   }
 }
@@ -265,8 +300,8 @@ QMenu* WindowActions::make_hole_menu() {
   return menu;
 }
 
-QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const char*> names) {
-  QMenu* menu = window_->menuBar()->addMenu(title);
+QMenu* WindowActions::add_menu(const QString& title, std::initializer_list<const char*> names, QMenu* in) {
+  QMenu* menu = in ? new QMenu(title, in) : window_->menuBar()->addMenu(title);
   Group group{QString(title).remove(QLatin1Char('&')), {}};
   for (const char* name : names) {
     if (*name == '-') {
@@ -295,6 +330,12 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                     "lookLeft",  "lookRight",    "lookTop",    "lookBottom", "orthographic", "clip",       "-",
                     "hidePiece", "isolatePiece", "showPieces", "-",          "probe",        "-"});
   view->addActions(docks);
+  QMenu* up =
+      add_menu(tr("&Up axis"), {"upByShape", "-", "upX", "upMinusX", "upY", "upMinusY", "upZ", "upMinusZ"}, view);
+  QMenu* navigation =
+      add_menu(tr("&Navigation"),
+               {"navigateLoopmend", "navigateBlender", "navigateMeshLab", "navigateCad", "-", "navigationSheet"}, view);
+  for (QMenu* menu : {up, navigation}) view->insertMenu((*this)["orthographic"], menu);
   add_menu(tr("&Patch"), {"fillAction",
                           "initialAction",
                           "-",

@@ -43,7 +43,8 @@ class WindowActions : public QObject {
   const std::vector<Group>& groups() const { return groups_; }
 
  private:
-  QMenu* add_menu(const QString& title, std::initializer_list<const char*> names);
+  /// In the bar, or to be put into this menu.
+  QMenu* add_menu(const QString& title, std::initializer_list<const char*> names, QMenu* in = nullptr);
 
   QMainWindow* window_;
   QMenu *recent_ = nullptr, *close_ = nullptr;

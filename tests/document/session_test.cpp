@@ -80,6 +80,7 @@ SessionView some_view() {
   view.look.H = {ColorRange::Rule::own, 60, 0.25};
   view.look.K.percent = 75;
   view.look.stripes = 12;
+  view.look.up = UpAxis::minus_x;
   return view;
 }
 
@@ -199,6 +200,7 @@ TEST_F(SessionTest, ComesBackWithEveryFieldAsItWas) {
   EXPECT_EQ(in.view->from.eye, view.from.eye);
   EXPECT_EQ(in.view->from.up, view.from.up);
   EXPECT_EQ(in.view->look.shading, view.look.shading);
+  EXPECT_EQ(in.view->look.up, view.look.up);
   EXPECT_EQ(in.view->look.edges, view.look.edges);
   EXPECT_EQ(in.view->look.seams, view.look.seams);
   EXPECT_EQ(in.view->look.map, view.look.map);
