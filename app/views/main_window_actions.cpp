@@ -22,6 +22,7 @@
 #include "panels/inspect_panel.h"
 #include "panels/look_panel.h"
 #include "panels/patch_panel.h"
+#include "panels/player_bar.h"
 #include "panels/small_holes_box.h"
 #include "panels/theme.h"
 #include "views/file_controller.h"
@@ -124,8 +125,15 @@ void MainWindow::connect_view_actions() {
   a.on("isolatePiece", pieces_, &PieceMenu::isolate);
   a.on("showPieces", &visibility_, &SceneVisibility::show_all);
   connect(&visibility_, &SceneVisibility::changed, this, &MainWindow::update_actions);
-  a.on("undo", this, [this] { undo_.undo(); });
-  a.on("redo", this, [this] { undo_.redo(); });
+  const auto stop_playing = [this] { patch_->decision_box().player().pause(); };
+  a.on("undo", this, [this, stop_playing] {
+    stop_playing();
+    undo_.undo();
+  });
+  a.on("redo", this, [this, stop_playing] {
+    stop_playing();
+    undo_.redo();
+  });
   a.on("nextHole", this, [this] { holes_->go(HolesPanel::Way::next); });
   a.on("nextToLookAt", this, [this] { holes_->go(HolesPanel::Way::next_to_look_at); });
   a.on("previousHole", this, [this] { holes_->go(HolesPanel::Way::previous); });
@@ -147,7 +155,11 @@ void MainWindow::connect_patch_actions() {
   a.on("repairAction", this, &MainWindow::show_repair_dialog);
   connect(&patch_->fill_box(), &FillBox::repair_wanted, this, &MainWindow::show_repair_dialog);
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
-  a.on("runAction", &patch_->flow_box(), &FlowBox::run_or_pause);
+  PlayerBar* player = &patch_->decision_box().player();
+  a.on("runAction", this,
+       [this, player] { player->is_playing() ? player->pause() : patch_->flow_box().run_or_pause(); });
+  a.on("playAction", player, &PlayerBar::play_or_pause);
+  a.on("nextStateAction", player, &PlayerBar::next);
   a.on("acceptAction", &patch_->decision_box(), &DecisionBox::accept_or_reopen);
   a.on("rejectAction", this, [this] {
     // A key alone does not throw everything away; the button says what it is about.
@@ -175,6 +187,8 @@ void MainWindow::connect_patch_actions() {
 void MainWindow::step_back() {
   if (controller_.busy()) {
     controller_.cancel();
+  } else if (patch_->decision_box().player().is_playing()) {
+    patch_->decision_box().player().pause();
   } else if (candidates_.busy()) {
     candidates_.cancel();
   } else if (tools_->trial().busy()) {
@@ -249,6 +263,8 @@ void MainWindow::update_actions() {
   a["partAction"]->setEnabled(idle && std::any_of(selection_.selected().begin(), selection_.selected().end(), touches));
   follow("stepAction", "step");
   follow("runAction", "run");
+  follow("playAction", "play");
+  follow("nextStateAction", "nextState");
   follow("acceptAction", "accept");
   follow("rejectAction", "reject");
   follow("copyAction", "copyCommand");
