@@ -2,6 +2,7 @@
 #include "compare/flow_canvas.h"
 
 #include "compare/picture_clock.h"
+#include "document/preferences.h"
 #include "scene/mesh_scene.h"
 #include "scene/view_direction.h"
 #include "views/turn_style.h"
@@ -104,7 +105,8 @@ FlowCanvas::FlowCanvas(const char* name, Sides sides, PictureClock& clock, QWidg
     impl_->canvas->setMouseTracking(true);
     impl_->sheet = new LineSheet(this);
   }
-  impl_->window->GetInteractor()->SetInteractorStyle(make_turn_style());
+  impl_->window->GetInteractor()->SetInteractorStyle(
+      make_turn_style(std::make_shared<TurnRules>(TurnRules{load_navigation(), Hand::empty, {}})));
   impl_->window->AddObserver(vtkCommand::StartEvent, this, &FlowCanvas::before_drawing);
   update_palette();
   place_sides();

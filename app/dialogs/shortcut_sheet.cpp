@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dialogs/shortcut_sheet.h"
 
+#include "document/navigation.h"
+#include "document/preferences.h"
 #include "panels/parts.h"
 
 #include <QDialogButtonBox>
@@ -20,9 +22,11 @@ QString keys_of(const QAction& action) {
 
 /// What works in the picture and the table without an action of its own.
 QList<QPair<QString, QString>> gestures() {
-  return {{ShortcutSheet::tr("Drag"), ShortcutSheet::tr("Turn")},
-          {ShortcutSheet::tr("Shift+drag, middle button"), ShortcutSheet::tr("Move sideways")},
-          {ShortcutSheet::tr("Wheel, right button, +, \u2212"), ShortcutSheet::tr("Closer, further away")},
+  const NavigationStyle style = load_navigation();
+  const auto drag = [style](Motion motion) { return ShortcutSheet::tr("Drag: %1").arg(drags_for(style, motion)); };
+  return {{drag(Motion::turn), ShortcutSheet::tr("Turn")},
+          {drag(Motion::slide), ShortcutSheet::tr("Move sideways")},
+          {ShortcutSheet::tr("Wheel, +, \u2212"), ShortcutSheet::tr("Closer, further away")},
           {ShortcutSheet::tr("Arrow keys"), ShortcutSheet::tr("Turn by ten degrees")},
           {ShortcutSheet::tr("Shift+arrow keys"), ShortcutSheet::tr("Move sideways")},
           {ShortcutSheet::tr("Click on a boundary"), ShortcutSheet::tr("Select; with Ctrl, add")},
@@ -77,7 +81,7 @@ ShortcutSheet::ShortcutSheet(const std::vector<Group>& groups, QWidget* parent) 
     QList<QPair<QString, QString>> rows;
     for (const QAction* action : group.actions)
       if (!action->shortcut().isEmpty()) rows << qMakePair(keys_of(*action), action->statusTip());
-    (place++ % 2 == 0 ? left : right)->addLayout(table(group.title, rows));
+    if (!rows.isEmpty()) (place++ % 2 == 0 ? left : right)->addLayout(table(group.title, rows));
   }
   right->addLayout(table(tr("Mouse and keys in the picture"), gestures()));
   left->addStretch();

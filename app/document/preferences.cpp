@@ -86,6 +86,7 @@ Look load_look() {
   look.edges = static_cast<Edges>(whole("look/edges", static_cast<int>(look.edges), 0, 1));
   look.seams = static_cast<Seams>(whole("look/seams", static_cast<int>(look.seams), 0, 1));
   look.stripes = whole("look/stripes", look.stripes, 3, 40);
+  look.up = static_cast<UpAxis>(whole("look/up", 0, 0, static_cast<int>(UpAxis::minus_z)));
   return look;
 }
 
@@ -96,6 +97,19 @@ void save_look(const Look& look) {
   stored.setValue(QStringLiteral("look/edges"), static_cast<int>(look.edges));
   stored.setValue(QStringLiteral("look/seams"), static_cast<int>(look.seams));
   stored.setValue(QStringLiteral("look/stripes"), look.stripes);
+  stored.setValue(QStringLiteral("look/up"), static_cast<int>(look.up));
+}
+
+NavigationStyle load_navigation() {
+  const QString word = settings().value(QStringLiteral("navigation")).toString();
+  for (NavigationStyle style : all_navigation_styles)
+    if (word == QLatin1String(navigation(style).word)) return style;
+  return NavigationStyle::loopmend;
+}
+
+void save_navigation(NavigationStyle style) {
+  QSettings stored = settings();
+  stored.setValue(QStringLiteral("navigation"), QLatin1String(navigation(style).word));
 }
 
 }  // namespace loopmend

@@ -2,6 +2,7 @@
 // What a person has chosen once and for all. Kept in the user's configuration.
 #pragma once
 
+#include "document/navigation.h"
 #include "scene/look.h"
 
 #include <QByteArray>
@@ -40,5 +41,8 @@ void save_window_layout(const WindowLayout& layout);
 /// scan, and a scan's own colours, which are shown where there are some.
 Look load_look();
 void save_look(const Look& look);
+
+NavigationStyle load_navigation();
+void save_navigation(NavigationStyle style);
 
 }  // namespace loopmend

@@ -34,6 +34,7 @@ void fields(auto& stream, Is<SessionView> auto& view) {
   fields(stream, view.look.H);
   fields(stream, view.look.K);
   stream.whole(view.look.stripes);
+  stream.word(view.look.up, UpAxis::minus_z);
 }
 
 void fields(auto& stream, Is<TriangleSoup> auto& surface) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/decision_box.h"
 
+#include "document/hole_selection.h"
 #include "document/labels.h"
 #include "document/problem_commands.h"
 #include "document/targets.h"
 #include "document/timeline.h"
 #include "jobs/fill_controller.h"
 #include "panels/parts.h"
+#include "panels/player_bar.h"
 
 #include <QApplication>
 #include <QGridLayout>
@@ -23,7 +25,8 @@ namespace {
 /// What is known of a state, in one line.
 QString state_words(const PatchState& state) {
   if (state.steps == 0) return DecisionBox::tr("the initial patch");
-  return DecisionBox::tr("step %1").arg(state.steps);
+  if (!(state.last_step.tau > 0)) return DecisionBox::tr("step %1").arg(state.steps);
+  return DecisionBox::tr("step %1, \u03c3 %2").arg(state.steps).arg(labels::number(state.last_step.sigma));
 }
 
 }  // namespace
@@ -44,6 +47,13 @@ DecisionBox::DecisionBox(const Document& document, const HoleSelection& selectio
   });
   connect(reject_, &QPushButton::clicked, this, &DecisionBox::reject);
   connect(copy_, &QPushButton::clicked, this, &DecisionBox::copy_command);
+  // What else is done begins at the state that is shown.
+  connect(&selection_, &HoleSelection::selection_changed, player_, &PlayerBar::pause);
+  for (auto signal : {&Document::patches_changed, &Document::scans_changed})
+    connect(&document_, signal, player_, &PlayerBar::pause);
+  connect(&controller_, &FillController::activity_changed, player_, [this] {
+    if (controller_.busy()) player_->pause();
+  });
   // Thousands of patches may move at once, and each update looks at all of them.
   soon_.setSingleShot(true);
   soon_.setInterval(0);
@@ -60,6 +70,7 @@ void DecisionBox::build() {
   timeline_->setPageStep(1);
   explain(timeline_, "timeline", tr("Timeline"),
           tr("Go back to any recorded state, from the initial patch on the left to the latest"));
+  player_ = new PlayerBar(*timeline_);
   place_ = make_note("timelinePlace");
   place_->keep_room_for({tr("Recorded states appear here.")});
   accept_ = make_button("accept", tr("Accept"), tr("Keep this patch as it is; no flow moves it any more (A)"));
@@ -68,17 +79,18 @@ void DecisionBox::build() {
                       tr("Copy the commands that fill these holes in just this way, for a terminal or a script"));
   grid->addWidget(place_, 0, 0, 1, 2);
   grid->addWidget(timeline_, 1, 0, 1, 2);
-  grid->addWidget(accept_, 2, 0);
-  grid->addWidget(reject_, 2, 1);
+  grid->addWidget(player_, 2, 0, 1, 2);
+  grid->addWidget(accept_, 3, 0);
+  grid->addWidget(reject_, 3, 1);
   auto* seam = make_button("showSeam", tr("Seam and plots"),
                            tr("Show or hide the seam in numbers, the energy of the run, a section, and the log"));
   connect(seam, &QPushButton::clicked, this, &DecisionBox::seam_wanted);
   others_ = make_button("otherPatches", tr("Other patches\u2026"),
                         tr("Compute other patches for this hole, see them side by side, take one (V)"));
   connect(others_, &QPushButton::clicked, this, &DecisionBox::candidates_wanted);
-  grid->addWidget(others_, 3, 0);
-  grid->addWidget(seam, 3, 1);
-  grid->addWidget(copy_, 4, 0, 1, 2);
+  grid->addWidget(others_, 4, 0);
+  grid->addWidget(seam, 4, 1);
+  grid->addWidget(copy_, 5, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }
@@ -92,11 +104,13 @@ bool DecisionBox::all_accepted() const {
 
 void DecisionBox::accept_or_reopen() {
   if (!accept_->isEnabled()) return;
+  player_->pause();
   controller_.set_acceptance(chosen_patches(document_, selection_),
                              all_accepted() ? Acceptance::pending : Acceptance::accepted);
 }
 
 void DecisionBox::reject() {
+  player_->pause();
   if (reject_->isEnabled()) controller_.reject(chosen_patches(document_, selection_));
 }
 
@@ -121,6 +135,7 @@ void DecisionBox::update_timeline() {
   }
   const bool usable = longest && longest->timeline->size() > 1;
   timeline_->setEnabled(usable && !controller_.busy());
+  player_->update_state();
   if (!longest) {
     timeline_->setRange(0, 1);
     place_->setText(tr("Recorded states appear here."));

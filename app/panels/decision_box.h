@@ -11,6 +11,7 @@ class QSlider;
 
 namespace loopmend {
 
+class PlayerBar;
 class QuietLabel;
 class Document;
 class HoleSelection;
@@ -26,6 +27,8 @@ class DecisionBox : public QGroupBox {
   void accept_or_reopen();
   void reject();
   void copy_command();
+  /// Of the recorded states.
+  PlayerBar& player() { return *player_; }
   void update_state();
   void update_timeline();
 
@@ -48,6 +51,7 @@ class DecisionBox : public QGroupBox {
   QElapsedTimer clicked_;  ///< since Accept was
   QuietLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;
+  PlayerBar* player_ = nullptr;
   QPushButton *accept_ = nullptr, *reject_ = nullptr, *others_ = nullptr, *copy_ = nullptr;
   bool syncing_ = false;
 };

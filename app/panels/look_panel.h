@@ -30,6 +30,7 @@ class LookPanel : public QWidget {
   void set_edges(Edges edges) { set(&Look::edges, edges); }
   void set_seams(Seams seams) { set(&Look::seams, seams); }
   void set_color_map(ColorMap map) { set(&Look::map, map); }
+  void set_up(UpAxis up) { set(&Look::up, up); }
   /// The half-width in force, to begin with when a range of one's own is wanted.
   void know_range(double half_width);
   ClippingBox& clipping() { return *clipping_; }

@@ -23,6 +23,9 @@ struct ColorRange {
   bool operator==(const ColorRange&) const = default;
 };
 
+/// Which way is up: for the named sides, for the first picture, and for what turns about it.
+enum class UpAxis { by_shape, x, minus_x, y, minus_y, z, minus_z };
+
 struct Look {
   Shading shading = Shading::curvature;
   Edges edges = Edges::hidden;
@@ -30,6 +33,7 @@ struct Look {
   ColorMap map = ColorMap::blue_orange;
   ColorRange H, K;
   int stripes = 9;  ///< 3..40, of zebra and isophotes
+  UpAxis up = UpAxis::by_shape;
 
   const ColorRange& range() const { return shading == Shading::gaussian ? K : H; }
   ColorRange& range() { return shading == Shading::gaussian ? K : H; }

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
+/// What the front shows.
+Vec3 ahead_of(const Vec3& up) { return std::abs(up.z()) > 0.5 ? Vec3(0, -1, 0) : Vec3(0, 0, 1); }
+
 Vec3 boundary_normal(const SurfaceModel& model, const BoundaryLoop& loop) {
   Vec3 sum = Vec3::Zero();
   for (int v : loop.vertices)
@@ -110,15 +113,31 @@ Vec3 guessed_up(const Vec3& extents) {
   return extents.z() > clearly * extents.head<2>().maxCoeff() ? Vec3::UnitZ() : Vec3::UnitY();
 }
 
-Vec3 view_up(const Vec3& direction, const Vec3& wanted) {
-  if (std::abs(direction.dot(wanted)) < 0.9) return wanted;
-  return wanted.y() > 0.5 ? Vec3(0, 0, -1) : Vec3::UnitY();
+Vec3 up_of(UpAxis axis, const Vec3& extents) {
+  switch (axis) {
+    case UpAxis::x: return Vec3::UnitX();
+    case UpAxis::minus_x: return -Vec3::UnitX();
+    case UpAxis::y: return Vec3::UnitY();
+    case UpAxis::minus_y: return -Vec3::UnitY();
+    case UpAxis::z: return Vec3::UnitZ();
+    case UpAxis::minus_z: return -Vec3::UnitZ();
+    case UpAxis::by_shape: break;
+  }
+  return guessed_up(extents);
 }
 
-Vec3 front(const Vec3& up) { return up.z() > 0.5 ? Vec3(0.3, -1, 0.2).normalized() : Vec3(0.2, 0.2, 1).normalized(); }
+Vec3 view_up(const Vec3& direction, const Vec3& wanted) {
+  if (std::abs(direction.dot(wanted)) < 0.9) return wanted;
+  return direction.dot(wanted) > 0 ? Vec3(-ahead_of(wanted)) : ahead_of(wanted);
+}
+
+Vec3 front(const Vec3& up) {
+  const Vec3 ahead = ahead_of(up), right = up.cross(ahead);
+  return (ahead + 0.2 * up + (std::abs(up.z()) > 0.5 ? 0.3 : 0.2) * right).normalized();
+}
 
 Vec3 direction_of(NamedView view, const Vec3& up) {
-  const Vec3 ahead = up.z() > 0.5 ? Vec3(0, -1, 0) : Vec3(0, 0, 1), right = up.cross(ahead);
+  const Vec3 ahead = ahead_of(up), right = up.cross(ahead);
   switch (view) {
     case NamedView::front: return ahead;
     case NamedView::back: return -ahead;

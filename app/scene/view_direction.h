@@ -5,6 +5,7 @@
 #include "core/types.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
+#include "scene/look.h"
 #include "scene/surface_shape.h"
 
 #include <Eigen/Geometry>
@@ -24,7 +25,10 @@ Vec3 view_direction(const SurfaceModel& model, const std::vector<BoundaryLoop>& 
 /// Which way is up in a scan that does not say: z when it is tallest along z, y otherwise.
 Vec3 guessed_up(const Vec3& extents);
 
-/// A usable up for this direction: the wanted one, or another axis when the eye looks along it.
+/// The unit vector of the axis; where the shape says it, that of guessed_up().
+Vec3 up_of(UpAxis axis, const Vec3& extents);
+
+/// A usable up for this direction: the wanted one; when the eye looks along it, what comes up when it tilts there from the front.
 Vec3 view_up(const Vec3& direction, const Vec3& wanted);
 
 /// The side that the first picture shows: slightly from the right and above.
@@ -32,8 +36,8 @@ Vec3 front(const Vec3& up);
 
 enum class NamedView { front, back, left, right, top, bottom, iso };
 
-/// From the middle towards the eye. Left and right are those of the person who looks at the front: with y up the front
-/// shows +z, with z up −y. The iso view shows front, right and top alike.
+/// From the middle towards the eye. Left and right are those of the person who looks at the front: with z or −z up the front
+/// shows −y, else +z. The iso view shows front, right and top alike.
 Vec3 direction_of(NamedView view, const Vec3& up);
 
 /// A sphere that should be seen whole, and the eye's direction. `aspect` is width / height.

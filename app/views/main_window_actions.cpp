@@ -6,6 +6,7 @@
 #include "dialogs/about.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/help_window.h"
+#include "dialogs/navigation_sheet.h"
 #include "dialogs/picture_dialog.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/repair_dialog.h"
@@ -21,6 +22,7 @@
 #include "panels/inspect_panel.h"
 #include "panels/look_panel.h"
 #include "panels/patch_panel.h"
+#include "panels/player_bar.h"
 #include "panels/small_holes_box.h"
 #include "panels/theme.h"
 #include "views/file_controller.h"
@@ -40,6 +42,14 @@ namespace {
 constexpr std::pair<const char*, NamedView> sides[] = {
     {"lookFront", NamedView::front}, {"lookBack", NamedView::back}, {"lookLeft", NamedView::left},
     {"lookRight", NamedView::right}, {"lookTop", NamedView::top},   {"lookBottom", NamedView::bottom}};
+constexpr std::pair<const char*, UpAxis> up_axes[] = {
+    {"upByShape", UpAxis::by_shape}, {"upX", UpAxis::x}, {"upMinusX", UpAxis::minus_x}, {"upY", UpAxis::y},
+    {"upMinusY", UpAxis::minus_y},   {"upZ", UpAxis::z}, {"upMinusZ", UpAxis::minus_z}};
+constexpr std::pair<const char*, NavigationStyle> navigation_styles[] = {
+    {"navigateLoopmend", NavigationStyle::loopmend},
+    {"navigateBlender", NavigationStyle::blender},
+    {"navigateMeshLab", NavigationStyle::meshlab},
+    {"navigateCad", NavigationStyle::cad}};
 constexpr std::pair<const char*, Shading> shadings[] = {
     {"scanColors", Shading::scan},    {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
     {"plain", Shading::plain},        {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes},
@@ -100,13 +110,30 @@ void MainWindow::connect_view_actions() {
     view_->set_projection(on ? MeshView::Projection::orthographic : MeshView::Projection::perspective);
   });
   for (const auto& [name, side] : sides) a.on(name, this, [this, from = side] { view_->look_from(from); });
+  for (const auto& [name, up] : up_axes) a.on(name, this, [this, wanted = up] { look_->set_up(wanted); });
+  for (const auto& [name, style] : navigation_styles)
+    a.on(name, this, [this, wanted = style] {
+      save_navigation(wanted);
+      view_->set_navigation(wanted);
+    });
+  view_->set_navigation(load_navigation());
+  for (const auto& [name, style] : navigation_styles)
+    if (style == load_navigation()) a[name]->setChecked(true);
+  a.on("navigationSheet", this, [this] { show_beside<NavigationSheet>(this); });
   a.on("probe", view_, &MeshView::probe_middle);
   a.on("hidePiece", pieces_, &PieceMenu::hide);
   a.on("isolatePiece", pieces_, &PieceMenu::isolate);
   a.on("showPieces", &visibility_, &SceneVisibility::show_all);
   connect(&visibility_, &SceneVisibility::changed, this, &MainWindow::update_actions);
-  a.on("undo", this, [this] { undo_.undo(); });
-  a.on("redo", this, [this] { undo_.redo(); });
+  const auto stop_playing = [this] { patch_->decision_box().player().pause(); };
+  a.on("undo", this, [this, stop_playing] {
+    stop_playing();
+    undo_.undo();
+  });
+  a.on("redo", this, [this, stop_playing] {
+    stop_playing();
+    undo_.redo();
+  });
   a.on("nextHole", this, [this] { holes_->go(HolesPanel::Way::next); });
   a.on("nextToLookAt", this, [this] { holes_->go(HolesPanel::Way::next_to_look_at); });
   a.on("previousHole", this, [this] { holes_->go(HolesPanel::Way::previous); });
@@ -128,7 +155,11 @@ void MainWindow::connect_patch_actions() {
   a.on("repairAction", this, &MainWindow::show_repair_dialog);
   connect(&patch_->fill_box(), &FillBox::repair_wanted, this, &MainWindow::show_repair_dialog);
   a.on("stepAction", &patch_->flow_box(), &FlowBox::step);
-  a.on("runAction", &patch_->flow_box(), &FlowBox::run_or_pause);
+  PlayerBar* player = &patch_->decision_box().player();
+  a.on("runAction", this,
+       [this, player] { player->is_playing() ? player->pause() : patch_->flow_box().run_or_pause(); });
+  a.on("playAction", player, &PlayerBar::play_or_pause);
+  a.on("nextStateAction", player, &PlayerBar::next);
   a.on("acceptAction", &patch_->decision_box(), &DecisionBox::accept_or_reopen);
   a.on("rejectAction", this, [this] {
     // A key alone does not throw everything away; the button says what it is about.
@@ -156,6 +187,8 @@ void MainWindow::connect_patch_actions() {
 void MainWindow::step_back() {
   if (controller_.busy()) {
     controller_.cancel();
+  } else if (patch_->decision_box().player().is_playing()) {
+    patch_->decision_box().player().pause();
   } else if (candidates_.busy()) {
     candidates_.cancel();
   } else if (tools_->trial().busy()) {
@@ -207,6 +240,8 @@ void MainWindow::update_actions() {
   a["partAction"]->setEnabled(idle && std::any_of(selection_.selected().begin(), selection_.selected().end(), touches));
   follow("stepAction", "step");
   follow("runAction", "run");
+  follow("playAction", "play");
+  follow("nextStateAction", "nextState");
   follow("acceptAction", "accept");
   follow("rejectAction", "reject");
   follow("copyAction", "copyCommand");
@@ -214,6 +249,8 @@ void MainWindow::update_actions() {
   const Look& look = look_->look();
   for (const auto& [name, shading] : shadings)
     if (shading == look.shading) a[name]->setChecked(true);
+  for (const auto& [name, up] : up_axes)
+    if (up == look.up) a[name]->setChecked(true);
   a["wireframe"]->setChecked(look.edges == Edges::shown);
   a["seams"]->setChecked(look.seams == Seams::shown);
   holes_->small_holes().set_use(idle ? SmallHolesBox::Use::possible : SmallHolesBox::Use::busy);

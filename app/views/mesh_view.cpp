@@ -5,7 +5,6 @@
 #include "panels/parts.h"
 #include "views/mesh_view_impl.h"
 #include "views/picture_pace.h"
-#include "views/turn_style.h"
 
 #include <vtkCommand.h>
 #include <vtkInteractorStyle.h>
@@ -71,6 +70,7 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   impl_->sheet = new ToolSheet(this, [this](QPainter& painter) {
     if (impl_->tool) impl_->tool->paint(painter, space());
   });
+  impl_->cube = new ViewCube(this);
   impl_->flight = new CameraFlight(this);
   impl_->hidden_note = make_button("hiddenNote", {},
                                    tr("Show everything that was hidden (Ctrl+H). It is filled and "
@@ -83,7 +83,8 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   impl_->scene.set_large_scans(MeshScene::LargeScans::reduced_at_first);
   impl_->canvas->setRenderWindow(impl_->window);
   impl_->window->AddRenderer(impl_->renderer());
-  impl_->window->GetInteractor()->SetInteractorStyle(make_turn_style());
+  impl_->turning->up = [this] { return up(); };
+  impl_->window->GetInteractor()->SetInteractorStyle(make_turn_style(impl_->turning));
   update_palette();
   update_legend_words();
 
@@ -192,6 +193,7 @@ void MeshView::set_look(const Look& look) {
   if (look.seams != old.seams) scene.set_seams(look.seams);
   if (look.map != old.map) scene.set_color_map(look.map);
   if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
+  if (look.up != old.up) face_front();
   update_colors();
   redraw();
   Q_EMIT look_set();
@@ -370,7 +372,7 @@ void MeshView::on_visibility_changed() {
   on_scans_changed();
 }
 
-/// In the corner where neither banner nor legend, axes nor scale are.
+/// Beside the cube, in the corner where neither banner nor legend, axes nor scale are.
 void MeshView::update_hidden_note() {
   constexpr int margin = 10;
   const int hidden = impl_->document.has_scan() ? impl_->visibility.hidden_count() : 0;
@@ -378,7 +380,10 @@ void MeshView::update_hidden_note() {
   note->setText(tr("%Ln hidden: show all", nullptr, hidden));
   note->setAccessibleName(note->text());
   note->resize(note->sizeHint());
-  note->move(width() - note->width() - margin, height() - note->height() - margin);
+  ViewCube* cube = impl_->cube;
+  cube->move(width() - cube->width() - margin, height() - cube->height() - margin);
+  cube->setVisible(impl_->document.has_scan());
+  note->move(cube->x() - note->width() - margin, height() - note->height() - margin);
   note->setVisible(hidden > 0);
   note->raise();
 }

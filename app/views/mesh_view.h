@@ -2,6 +2,7 @@
 // The picture in the middle: shows the document, finds the loop under the mouse, turns, flies.
 #pragma once
 
+#include "document/navigation.h"
 #include "document/scene_visibility.h"
 #include "scene/clipping.h"
 #include "scene/look.h"
@@ -77,8 +78,14 @@ class MeshView : public QWidget {
   void set_clipping(const Clipping& clipping);
   enum class Projection { perspective, orthographic };
   void set_projection(Projection projection);
+  /// What the mouse does to the picture.
+  void set_navigation(NavigationStyle style);
+  /// A unit vector: as chosen in look(), else as the shape of the scene has it.
+  Vec3 up() const;
   /// Everything, from this side.
   void look_from(NamedView side);
+  /// The same, after a short flight.
+  void fly_to_side(NamedView side);
   /// Everything, from where the eye is.
   void frame();
   /// Turns and moves until the loop is seen from above. What hides it is shown.
@@ -138,6 +145,7 @@ class MeshView : public QWidget {
   void on_patch_moved(int id);
   Arrival arrival(int patch) const;
   void show_surfaces();
+  bool cube_takes(QEvent* event);
   bool tool_takes(QEvent* event);
   /// @returns whether they look otherwise now, and are to be drawn.
   bool update_loops();

@@ -12,6 +12,8 @@
 #include "views/shown_shapes.h"
 #include "views/surface_probe.h"
 #include "views/tool_sheet.h"
+#include "views/turn_style.h"
+#include "views/view_cube.h"
 #include "views/view_overlay.h"
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -41,6 +43,7 @@ struct MeshView::Impl {
   QVTKOpenGLNativeWidget* canvas = nullptr;
   ViewOverlay* overlay = nullptr;
   ToolSheet* sheet = nullptr;
+  ViewCube* cube = nullptr;
   CameraFlight* flight = nullptr;
   QPushButton* hidden_note = nullptr;  ///< says what is hidden, and shows it
   vtkNew<vtkGenericOpenGLRenderWindow> window;
@@ -66,7 +69,9 @@ struct MeshView::Impl {
   std::set<int> hidden_loops;  ///< whose patches others are shown for
   std::vector<SurfaceShapePtr> instead;
   Clipping clipping;
-  Vec3 line_of_sight = -Vec3::UnitZ();  ///< when it was chosen to clip across
+  Vec3 line_of_sight = -Vec3::UnitZ();                  ///< when it was chosen to clip across
+  std::optional<NamedView> hovered_side, pressed_side;  ///< of the cube
+  std::shared_ptr<TurnRules> turning = std::make_shared<TurnRules>();
   ViewTool* tool = nullptr;
   bool tool_has_mouse = false;
   bool drawing_elsewhere = false;      ///< into a picture, not onto the screen
@@ -97,6 +102,7 @@ struct MeshView::Impl {
         camera()->GetModelViewTransformMatrix()->GetData());
     if (!document.has_scan()) return;
     overlay->set_axes(turn.block<3, 3>(0, 0));
+    cube->set_axes(turn.block<3, 3>(0, 0), turning->up());
     constexpr double degree = 3.14159265358979323846 / 180;
     const double seen_height = 2 * camera()->GetDistance() * std::tan(0.5 * camera()->GetViewAngle() * degree);
     overlay->set_scale(seen_height / std::max(1, canvas->height()));

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/mesh_view_impl.h"
 
-#include "scene/view_direction.h"
-#include "views/turn_style.h"
-
 #include <vtkUnsignedCharArray.h>
 
-#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -24,7 +20,7 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != impl_->canvas) return QWidget::eventFilter(watched, event);
   if (event->type() == QEvent::MouseMove) impl_->mouse_at = static_cast<QMouseEvent*>(event)->pos();
   if (event->type() == QEvent::Leave) impl_->mouse_at.reset();
-  if (impl_->tool && tool_takes(event)) return true;
+  if (cube_takes(event) || (impl_->tool && tool_takes(event))) return true;
   switch (event->type()) {
     case QEvent::MouseMove: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
@@ -75,14 +71,8 @@ bool MeshView::tool_takes(QEvent* event) {
   const auto type = event->type();
   if (type != QEvent::MouseMove && type != QEvent::MouseButtonPress && type != QEvent::MouseButtonRelease) return false;
   const auto& mouse = *static_cast<QMouseEvent*>(event);
-  if (mouse.modifiers().testFlag(Qt::ShiftModifier) && !impl_->tool_has_mouse) {
-    // With a tool in hand Shift turns the picture; the graphics know that as dragging without any key.
-    QMouseEvent bare(type, mouse.localPos(), mouse.windowPos(), mouse.screenPos(), mouse.button(), mouse.buttons(), {});
-    ViewTool* tool = std::exchange(impl_->tool, nullptr);
-    QCoreApplication::sendEvent(impl_->canvas, &bare);
-    impl_->tool = tool;
-    return true;
-  }
+  // With a tool in hand Shift turns the picture: motion_of().
+  if (mouse.modifiers().testFlag(Qt::ShiftModifier) && !impl_->tool_has_mouse) return false;
   bool taken = false;
   if (type == QEvent::MouseButtonPress) {
     taken = impl_->tool_has_mouse = impl_->tool->mouse(Act::press, mouse, space());
@@ -102,6 +92,7 @@ bool MeshView::tool_takes(QEvent* event) {
 
 void MeshView::set_tool(ViewTool* tool) {
   impl_->tool = tool;
+  impl_->turning->hand = tool ? Hand::tool : Hand::empty;
   impl_->tool_has_mouse = false;
   impl_->sheet->setVisible(tool != nullptr);
   impl_->sheet->setGeometry(rect());
@@ -231,16 +222,6 @@ void MeshView::move_by_key(int key, Qt::KeyboardModifiers modifiers) {
   redraw();
 }
 
-void MeshView::face_front() {
-  const auto b = impl_->scene.bounds();
-  const Vec3 up = guessed_up(Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]));
-  CameraPose pose;
-  pose.position = front(up);
-  pose.up = up;
-  apply(pose, impl_->camera());
-  frame();
-}
-
 void MeshView::set_clipping(const Clipping& clipping) {
   using Across = Clipping::Across;
   const bool only_moved = clipping.across == impl_->clipping.across &&
@@ -271,17 +252,6 @@ void MeshView::set_clipping(const Clipping& clipping) {
 void MeshView::set_projection(Projection projection) {
   impl_->camera()->SetParallelProjection(projection == Projection::orthographic);
   redraw();
-}
-
-void MeshView::look_from(NamedView side) {
-  impl_->flight->stop();
-  const auto b = impl_->scene.bounds();
-  const Vec3 up = guessed_up(Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]));
-  CameraPose pose;
-  pose.position = direction_of(side, up);
-  pose.up = view_up(pose.position, up);
-  apply(pose, impl_->camera());
-  frame();
 }
 
 void MeshView::frame() {
@@ -327,7 +297,7 @@ Viewpoint MeshView::viewpoint_above(int loop) const {
   stand.direction = facing(*scan.model, target);
   const Vec3 up = pose_of(impl_->camera()).up;
   const bool usable = std::abs(up.dot(stand.direction)) < 0.9;
-  stand.up = usable ? up : view_up(stand.direction, Vec3::UnitY());
+  stand.up = usable ? up : view_up(stand.direction, this->up());
   stand.aspect = impl_->aspect();
   vtkNew<vtkCamera> goal;
   goal->DeepCopy(impl_->camera());

@@ -9,6 +9,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <map>
+
 namespace loopmend {
 namespace {
 
@@ -36,7 +38,7 @@ struct WindowActions::Spec {
   const char* help;
   const char* keys = "";       ///< several are separated by "; "; the first is shown
   const char* icon = nullptr;  ///< in resources/icons; may be null
-  enum Kind { plain, toggle, choice } kind = plain;
+  enum Kind { plain, toggle, choice, up_choice, navigation_choice } kind = plain;
 };
 
 /// In the order of the menus.
@@ -99,6 +101,25 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
       {"lookRight", QT_TR_NOOP("&Right"), QT_TR_NOOP("See everything from the right"), "Ctrl+4"},
       {"lookTop", QT_TR_NOOP("&Top"), QT_TR_NOOP("See everything from above"), "Ctrl+5"},
       {"lookBottom", QT_TR_NOOP("B&ottom"), QT_TR_NOOP("See everything from below"), "Ctrl+6"},
+      {"upByShape", QT_TR_NOOP("&As the shape suggests"),
+       QT_TR_NOOP("Up is z where the scan is tallest along z, else y"), "", nullptr, Spec::up_choice},
+      {"upX", QT_TR_NOOP("&X up"), QT_TR_NOOP("The x axis points upwards"), "", nullptr, Spec::up_choice},
+      {"upMinusX", QT_TR_NOOP("&\u2212X up"), QT_TR_NOOP("The x axis points downwards"), "", nullptr, Spec::up_choice},
+      {"upY", QT_TR_NOOP("&Y up"), QT_TR_NOOP("The y axis points upwards"), "", nullptr, Spec::up_choice},
+      {"upMinusY", QT_TR_NOOP("\u2212Y u&p"), QT_TR_NOOP("The y axis points downwards"), "", nullptr, Spec::up_choice},
+      {"upZ", QT_TR_NOOP("&Z up"), QT_TR_NOOP("The z axis points upwards"), "", nullptr, Spec::up_choice},
+      {"upMinusZ", QT_TR_NOOP("\u2212Z &up"), QT_TR_NOOP("The z axis points downwards"), "", nullptr, Spec::up_choice},
+      {"navigateLoopmend", QT_TR_NOOP("&Loopmend navigation"), QT_TR_NOOP("Drag with the left button to turn"), "",
+       nullptr, Spec::navigation_choice},
+      {"navigateBlender", QT_TR_NOOP("&Blender navigation"),
+       QT_TR_NOOP("Drag with the middle button to turn about the up axis, with Shift to move"), "", nullptr,
+       Spec::navigation_choice},
+      {"navigateMeshLab", QT_TR_NOOP("&MeshLab navigation"),
+       QT_TR_NOOP("Drag with the left button to turn, with Ctrl to move, with Shift to zoom"), "", nullptr,
+       Spec::navigation_choice},
+      {"navigateCad", QT_TR_NOOP("&CAD navigation"),
+       QT_TR_NOOP("Drag with the middle button to turn, with Ctrl to move, with Shift to zoom"), "", nullptr,
+       Spec::navigation_choice},
       {"probe", QT_TR_NOOP("&Values in the middle"), QT_TR_NOOP("Show the values at the middle of the picture"), "P"},
       {"fillAction", QT_TR_NOOP("&Fill and smooth"), QT_TR_NOOP("Close the selected holes, or all, by fair patches"),
        "Ctrl+F; T"},
@@ -117,6 +138,10 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
       {"repairAction", QT_TR_NOOP("Repai&r\u2026"), QT_TR_NOOP("See the defects of the scan, and repair them")},
       {"stepAction", QT_TR_NOOP("&Step"), QT_TR_NOOP("Take one time step"), "S"},
       {"runAction", QT_TR_NOOP("&Run or pause"), QT_TR_NOOP("Smooth, every step shown for a moment"), "Space"},
+      {"playAction", QT_TR_NOOP("&Play or pause the states"),
+       QT_TR_NOOP("Show the recorded states of the selected patches one after another"), "Shift+Space"},
+      {"nextStateAction", QT_TR_NOOP("Ne&xt state"),
+       QT_TR_NOOP("One recorded state further; after the last, the first"), "."},
       {"compare", QT_TR_NOOP("&Compare flows\u2026"), QT_TR_NOOP("Several flows from one start, side by side"), "C",
        "compare"},
       {"toolRegionAction", QT_TR_NOOP("&Region"),
@@ -146,13 +171,17 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
       {"help", QT_TR_NOOP("&Help"), QT_TR_NOOP("How things are done, with pictures"), "F1"},
       {"palette", QT_TR_NOOP("Find a &command\u2026"), QT_TR_NOOP("Find any command by typing, and run it"), "Ctrl+K"},
       {"shortcuts", QT_TR_NOOP("&Keyboard shortcuts"), QT_TR_NOOP("All keys on one sheet"), "?"},
+      {"navigationSheet", QT_TR_NOOP("&What differs\u2026"),
+       QT_TR_NOOP("What the mouse does in each style of navigation, on one sheet")},
       {"about", QT_TR_NOOP("A&bout Loopmend"), QT_TR_NOOP("Version and licence")},
   };
   return specs;
 }
 
 WindowActions::WindowActions(QMainWindow* window) : QObject(window), window_(window) {
-  auto* choices = new QActionGroup(this);
+  std::map<Spec::Kind, QActionGroup*> choices;
+  for (const auto kind : {Spec::choice, Spec::up_choice, Spec::navigation_choice})
+    choices[kind] = new QActionGroup(this);
   for (const Spec& spec : specs()) {
     auto* action = new QAction(tr(spec.text), window);
     action->setObjectName(QLatin1String(spec.name));
@@ -161,7 +190,7 @@ WindowActions::WindowActions(QMainWindow* window) : QObject(window), window_(win
     action->setToolTip(shown.isEmpty() ? tr(spec.help) : tr("%1 (%2)").arg(tr(spec.help), shown));
     action->setStatusTip(tr(spec.help));
     action->setCheckable(spec.kind != Spec::plain);
-    if (spec.kind == Spec::choice) choices->addAction(action);
+    if (const auto group = choices.find(spec.kind); group != choices.end()) group->second->addAction(action);
     window->addAction(action);
   }
 }
@@ -187,8 +216,8 @@ QMenu* WindowActions::make_hole_menu() {
   return menu;
 }
 
-QMenu* WindowActions::add_menu(const QString& title, const char* names) {
-  QMenu* menu = window_->menuBar()->addMenu(title);
+QMenu* WindowActions::add_menu(const QString& title, const char* names, QMenu* in) {
+  QMenu* menu = in ? new QMenu(title, in) : window_->menuBar()->addMenu(title);
   const QList<QAction*> actions = all(names);
   put(menu, actions);
   Group group{QString(title).remove(QLatin1Char('&')), {}};
@@ -211,9 +240,14 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
                          "lookFront lookBack lookLeft lookRight lookTop lookBottom orthographic clip - "
                          "hidePiece isolatePiece showPieces - probe -");
   view->addActions(docks);
+  QMenu* up = add_menu(tr("&Up axis"), "upByShape - upX upMinusX upY upMinusY upZ upMinusZ", view);
+  QMenu* navigation = add_menu(tr("&Navigation"),
+                               "navigateLoopmend navigateBlender navigateMeshLab navigateCad - navigationSheet", view);
+  for (QMenu* menu : {up, navigation}) view->insertMenu((*this)["orthographic"], menu);
   add_menu(tr("&Patch"),
            "fillAction initialAction - prepareAction trimAction trimCrossingAction eraseRingAction stitchAction "
-           "partAction repairAction - runAction stepAction - compare - candidatesAction acceptAction rejectAction "
+           "partAction repairAction - runAction stepAction playAction nextStateAction - compare - candidatesAction "
+           "acceptAction rejectAction "
            "copyAction - cancelAction");
   add_menu(tr("&Tools"),
            "compare - toolRegionAction toolPointsAction toolBlendAction toolBridgeAction toolFillPartAction "

@@ -47,7 +47,8 @@ class WindowActions : public QObject {
  private:
   struct Spec;
   static const std::vector<Spec>& specs();
-  QMenu* add_menu(const QString& title, const char* names);
+  /// In the bar, or to be put into this menu.
+  QMenu* add_menu(const QString& title, const char* names, QMenu* in = nullptr);
 
   QMainWindow* window_;
   QMenu *recent_ = nullptr, *close_ = nullptr;

@@ -80,6 +80,7 @@ SessionView some_view() {
   view.look.H = {ColorRange::Rule::own, 60, 0.25};
   view.look.K.percent = 75;
   view.look.stripes = 12;
+  view.look.up = UpAxis::minus_x;
   return view;
 }
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The recorded states of a patch are played: from the start, at a pace, paused, again and again; one change for undo.
+#include "driver.h"
+#include "test_main.h"
+
+#include "document/timeline.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <vector>
+
+using namespace loopmend;
+using namespace loopmend::testing;
+
+namespace {
+
+/// The sample's first hole, filled: its flow has several states.
+struct Flow {
+  explicit Flow(MainWindow& w) : window(w) {
+    window.selection().select({first_hole(window.document())});
+    trigger(window, "fillAction");
+    ready = wait_idle(window) && states() > 3;
+    settle();
+    changes = undo_text();
+  }
+  const OpenPatch& patch() const { return window.document().patches().front(); }
+  int states() const { return static_cast<int>(patch().timeline->size()); }
+  int place() const { return static_cast<int>(place_in(*patch().timeline, patch().state)); }
+  QString undo_text() const { return window.undo().undo_text(); }
+  MainWindow& window;
+  bool ready = false;
+  QString changes;
+};
+
+bool is_playing(MainWindow& window) { return part<QPushButton>(window, "play")->text() == QStringLiteral("Pause"); }
+
+void choose_pace(MainWindow& window, double states_a_second) {
+  auto* pace = part<QComboBox>(window, "playPace");
+  pace->setCurrentIndex(pace->findData(states_a_second));
+}
+
+}  // namespace
+
+class PlayerTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void every_state_is_shown_in_its_order();
+  void the_pace_is_what_it_says();
+  void a_pause_is_one_change_for_undo();
+  void space_and_escape_pause();
+  void it_goes_on_again_and_again_until_something_else_is_done();
+  void the_next_state_comes_by_a_key();
+  void there_is_nothing_to_play_without_states();
+
+ private:
+  QTemporaryDir folder_;
+};
+
+void PlayerTest::every_state_is_shown_in_its_order() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const Flow flow(window);
+  QVERIFY(flow.ready);
+  QCOMPARE(flow.place(), flow.states() - 1);
+  const QImage last = window.view().picture();
+  choose_pace(window, 8);
+  std::vector<int> places;
+  QStringList told;
+  auto* words = part<QLabel>(window, "timelinePlace");
+  connect(&window.document(), &Document::patch_moved, words, [&] { places.push_back(flow.place()); });
+  press(window, "play");
+  QVERIFY(is_playing(window));
+  QVERIFY(wait_until([&] {
+    if (!told.contains(words->text())) told << words->text();
+    return !is_playing(window);
+  }));
+  QCOMPARE(static_cast<int>(places.size()), flow.states());
+  for (int k = 0; k < flow.states(); ++k) QCOMPARE(places[static_cast<std::size_t>(k)], k);
+  QCOMPARE(static_cast<int>(told.size()), flow.states());
+  QVERIFY(told.filter(QStringLiteral("initial patch")).size() == 1);
+  // It ends where it was: nothing has changed.
+  QCOMPARE(flow.undo_text(), flow.changes);
+  settle();
+  QVERIFY(picture_returns(window, last));
+}
+
+void PlayerTest::the_pace_is_what_it_says() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const Flow flow(window);
+  QVERIFY(flow.ready);
+  for (const double pace : {4.0, 16.0}) {
+    choose_pace(window, pace);
+    QElapsedTimer clock;
+    clock.start();
+    press(window, "play");
+    QVERIFY(wait_until([&] { return !is_playing(window); }));
+    const double seconds = 0.001 * static_cast<double>(clock.elapsed()), least = (flow.states() - 1) / pace;
+    // Never faster; a busy machine may be slower.
+    QVERIFY2(seconds > 0.9 * least, qPrintable(QString::number(seconds)));
+    if (seconds > 3 * least) QSKIP("the machine is too busy to say how fast it plays");
+  }
+}
+
+void PlayerTest::a_pause_is_one_change_for_undo() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const Flow flow(window);
+  QVERIFY(flow.ready);
+  const PatchStatePtr last = flow.patch().state;
+  choose_pace(window, 8);
+  key(window, Qt::Key_Space, Qt::ShiftModifier);
+  QVERIFY(is_playing(window));
+  QVERIFY(wait_until([&] { return flow.place() == 2; }));
+  key(window, Qt::Key_Space, Qt::ShiftModifier);
+  QVERIFY(!is_playing(window));
+  const int at = flow.place();
+  QVERIFY(at >= 2 && at < flow.states() - 1);
+  QVERIFY(flow.undo_text() != flow.changes);
+  trigger(window, "undo");
+  QVERIFY(flow.patch().state == last);
+  QCOMPARE(flow.undo_text(), flow.changes);
+  trigger(window, "redo");
+  QCOMPARE(flow.place(), at);
+  // From there, not from the start.
+  key(window, Qt::Key_Space, Qt::ShiftModifier);
+  QVERIFY(is_playing(window) && flow.place() >= at);
+  QVERIFY(wait_until([&] { return !is_playing(window); }));
+  QCOMPARE(flow.place(), flow.states() - 1);
+}
+
+void PlayerTest::space_and_escape_pause() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const Flow flow(window);
+  QVERIFY(flow.ready);
+  const TimelinePtr recorded = flow.patch().timeline;
+  choose_pace(window, 1);
+  for (const Qt::Key stop : {Qt::Key_Space, Qt::Key_Escape}) {
+    trigger(window, "playAction");
+    QVERIFY(is_playing(window));
+    key(window, stop);
+    QVERIFY(!is_playing(window) && !window.controller().busy());
+    QVERIFY(flow.patch().timeline == recorded);  // no run replaced what comes later
+    QVERIFY(!window.selection().selected().empty());
+  }
+  // With the hand on the slider, too.
+  auto* timeline = part<QSlider>(window, "timeline");
+  trigger(window, "playAction");
+  QTest::mouseClick(timeline, Qt::LeftButton, {}, timeline->rect().center());
+  QVERIFY(!is_playing(window));
+}
+
+void PlayerTest::it_goes_on_again_and_again_until_something_else_is_done() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const Flow flow(window);
+  QVERIFY(flow.ready);
+  choose_pace(window, 16);
+  part<QCheckBox>(window, "playAgain")->setChecked(true);
+  int starts = 0;
+  connect(&window.document(), &Document::patch_moved, this, [&] { starts += flow.place() == 0; });
+  press(window, "play");
+  QVERIFY(wait_until([&] { return starts == 3; }));
+  QVERIFY(is_playing(window));
+  window.selection().select({});
+  QVERIFY(!is_playing(window));
+  window.selection().select({first_hole(window.document())});
+  press(window, "play");
+  QVERIFY(is_playing(window));
+  press(window, "accept");
+  QVERIFY(!is_playing(window));
+  QVERIFY(flow.patch().acceptance == Acceptance::accepted);
+  trigger(window, "undo");
+  QVERIFY(flow.patch().acceptance == Acceptance::pending);
+}
+
+void PlayerTest::the_next_state_comes_by_a_key() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  const Flow flow(window);
+  QVERIFY(flow.ready);
+  key(window, Qt::Key_Period);
+  QCOMPARE(flow.place(), 0);  // after the last, the first
+  key(window, Qt::Key_Period);
+  QCOMPARE(flow.place(), 1);
+  press(window, "nextState");
+  QCOMPARE(flow.place(), 2);
+}
+
+void PlayerTest::there_is_nothing_to_play_without_states() {
+  Shown shown({sample_file(folder_)});
+  MainWindow& window = shown.window;
+  for (const char* name : {"playAction", "nextStateAction"})
+    QVERIFY2(!window.findChild<QAction*>(QLatin1String(name))->isEnabled(), name);
+  window.selection().select({first_hole(window.document())});
+  press(window, "fill");
+  QVERIFY(wait_idle(window));
+  settle();
+  QVERIFY(!part<QPushButton>(window, "play")->isEnabled());  // the initial patch alone
+}
+
+std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<PlayerTest>(); }
+
+#include "player_test.moc"
