@@ -33,6 +33,7 @@ class RepairDialog : public QDialog {
   /// Counts again, off the window's thread.
   void count();
   void show_counts(const RepairCounts& counts);
+  void tell();
   void update_buttons();
 
   const Document& document_;
@@ -40,6 +41,7 @@ class RepairDialog : public QDialog {
   TaskRunner tasks_;
   JobPtr job_;
   std::map<Defect, Row> rows_;
+  QString done_;  ///< by the last repair
   SteadyLabel* summary_ = nullptr;
   QPushButton* all_ = nullptr;
 };

@@ -166,7 +166,8 @@ void CandidateController::cancel() {
   if (!job_) return;
   job_->cancel();
   job_.reset();
-  Q_EMIT changed();
+  constexpr std::size_t least_to_choose_from = 2;
+  candidates_.size() < least_to_choose_from ? forget() : Q_EMIT changed();
 }
 
 void CandidateController::forget() {
