@@ -74,6 +74,14 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
     if (const OpenPatch* patch = document_.patch_of(loop)) density = patch->state->recipe.density;
   }
   const auto opened = document_.scan(scan);
+  std::erase_if(of_holes_, [](const OfHoles& shown) { return shown.window.isNull(); });
+  for (const OfHoles& shown : of_holes_)
+    if (shown.model == opened->model && shown.loops == chosen && shown.density == density) {
+      shown.window->showNormal();
+      shown.window->raise();
+      shown.window->activateWindow();
+      return shown.window;
+    }
   CompareTask task;
   task.source.title = tr("%1 of %2").arg(labels::sentence(labels::holes(document_, chosen)), opened->name);
   task.source.start = [model = opened->model, holes, density](const CancelToken& cancel) {
@@ -95,7 +103,9 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
     controller_.adopt(std::move(patch));
     return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(flow_run.flow));
   };
-  return compare(std::move(task), look);
+  CompareWindow* window = compare(std::move(task), look);
+  of_holes_.push_back({window, opened->model, chosen, density});
+  return window;
 }
 
 CompareWindow* CompareController::compare_trial(ProblemController& trial, const Look& look) {

@@ -24,7 +24,8 @@ class CompareController : public QObject {
 
   /// The loops that compare_holes() would take: the selected ones, or all holes; all of one scan.
   std::set<int> loops() const;
-  /// The flows from the first patch of these holes. Says why not where that is impossible.
+  /// The flows from the first patch of these holes, in the window that shows them where there is one. Says why not where that is
+  /// impossible.
   CompareWindow* compare_holes(const Look& look);
   /// The flows on what a tool has posed.
   CompareWindow* compare_trial(ProblemController& trial, const Look& look);
@@ -46,6 +47,14 @@ class CompareController : public QObject {
   std::vector<std::unique_ptr<ComparisonController>>
       closed_;  ///< their windows are gone, their workers perhaps not yet
   std::vector<std::pair<QPointer<CompareWindow>, std::unique_ptr<ComparisonController>>> open_;
+  /// What a window compares flows on.
+  struct OfHoles {
+    QPointer<CompareWindow> window;
+    ModelPtr model;
+    std::set<int> loops;
+    double density;
+  };
+  std::vector<OfHoles> of_holes_;
   QTimer undertaker_;
 };
 

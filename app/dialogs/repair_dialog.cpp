@@ -2,6 +2,7 @@
 #include "dialogs/repair_dialog.h"
 
 #include "document/labels.h"
+#include "document/targets.h"
 #include "panels/parts.h"
 #include "panels/steady_label.h"
 
@@ -84,6 +85,11 @@ RepairDialog::RepairDialog(const Document& document, FillController& controller,
   setWindowTitle(tr("Repair"));
   build();
   connect(&document_, &Document::scans_changed, this, &RepairDialog::count);
+  connect(&document_, &Document::opened, this, [this] { done_.clear(); });
+  connect(&controller_, &FillController::repaired, this, [this](const QString& words) {
+    done_ = words;
+    if (!job_) tell();
+  });
   connect(&controller_, &FillController::activity_changed, this, &RepairDialog::update_buttons);
   count();
 }
@@ -95,7 +101,7 @@ void RepairDialog::build() {
   grid->setVerticalSpacing(10);
   summary_ = new SteadyLabel;
   summary_->setObjectName(QStringLiteral("repairSummary"));
-  summary_->keep_room_for({tr("Every change can be undone. Patches of a scan go when it is repaired.")});
+  summary_->keep_room_for({QStringLiteral("1\n2\n3\n4")});  // what was done takes some lines
   grid->addWidget(summary_, 0, 0, 1, 3);
   int line = 1;
   for (const Words& words : all_words) {
@@ -133,13 +139,15 @@ void RepairDialog::build() {
 
 void RepairDialog::count() {
   drop(job_);
-  job_ = std::make_shared<Job>(this);
-  summary_->setText(tr("Looking for defects\u2026"));
+  const bool any = document_.has_scan();
+  summary_->setText(any ? tr("Looking for defects\u2026") : tr("No scan is open."));
   for (auto& [defect, row] : rows_) {
     row.found = 0;
-    row.count->setText(QStringLiteral("\u2026"));
+    row.count->setText(any ? QStringLiteral("\u2026") : QStringLiteral("\u2013"));
   }
   update_buttons();
+  if (!any) return;
+  job_ = std::make_shared<Job>(this);
   std::vector<std::shared_ptr<const OpenedScan>> scans;
   for (int index : document_.scans()) scans.push_back(document_.scan(index));
   tasks_.run(
@@ -167,15 +175,24 @@ void RepairDialog::count() {
 
 void RepairDialog::show_counts(const RepairCounts& counts) {
   job_.reset();
-  std::size_t kinds = 0;
   for (auto& [defect, row] : rows_) {
     row.found = count_of(defect, counts);
     row.count->setText(row.found > 0 ? labels::count(row.found) : tr("none"));
-    kinds += row.found > 0;
   }
-  summary_->setText(kinds > 0 ? tr("Every change can be undone. Patches of a scan go when it is repaired.")
-                              : tr("None of these is left."));
+  tell();
   update_buttons();
+}
+
+/// What was done last, and how the scan is.
+void RepairDialog::tell() {
+  const bool found = std::any_of(rows_.begin(), rows_.end(), [](const auto& row) { return row.second.found > 0; });
+  QStringList lines;
+  if (!done_.isEmpty()) lines << done_;
+  lines << (found ? tr("Every change can be undone. Patches of a scan go when it is repaired.")
+                  : tr("None of these defects is found in the scan as it is."));
+  if (const int open = open_loops(document_) + cracks_left(document_); !found && open > 0)
+    lines << tr("%Ln boundary loop(s) are open: Fill and smooth closes holes.", nullptr, open);
+  summary_->setText(lines.join(QLatin1Char('\n')));
 }
 
 void RepairDialog::update_buttons() {

@@ -32,6 +32,7 @@ class RepairDialog : public QDialog {
   /// Counts again, off the window's thread.
   void count();
   void show_counts(const RepairCounts& counts);
+  void tell();
   void update_buttons();
 
   const Document& document_;
@@ -39,6 +40,7 @@ class RepairDialog : public QDialog {
   TaskRunner tasks_;
   JobPtr job_;
   std::map<Defect, Row> rows_;
+  QString done_;  ///< by the last repair
   SteadyLabel* summary_ = nullptr;
   QPushButton* all_ = nullptr;
 };

@@ -128,7 +128,39 @@ void Document::set_outer_rims(OuterRims rule) {
   Q_EMIT holes_changed();
 }
 
+void Document::swap_with(Aside& other) {
+  slots_.swap(other.slots);
+  loops_.swap(other.loops);
+  scan_of_loop_.swap(other.scan_of_loop);
+  std::swap(origin_, other.origin);
+  patches_.swap(other.patches);
+  failures_.swap(other.failures);
+  units_.swap(other.units);
+  edge_edits_.swap(other.edge_edits);
+  mirror_planes_.swap(other.mirror_planes);
+  index_patches();
+  running_.clear();
+}
+
+void Document::set_aside() {
+  if (aside_ || slots_.empty()) return;
+  swap_with(aside_.emplace());
+  Q_EMIT opened();
+  Q_EMIT scans_changed();
+}
+
+void Document::bring_back() {
+  if (!aside_) return;
+  swap_with(*aside_);
+  aside_.reset();
+  Q_EMIT scans_changed();
+  Q_EMIT patches_changed();
+  Q_EMIT units_changed();
+  Q_EMIT holes_changed();
+}
+
 void Document::clear() {
+  aside_.reset();
   slots_.clear();
   loops_.clear();
   scan_of_loop_.clear();

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -84,6 +85,9 @@ class Document : public QObject {
 
   /// Takes everything away, for good.
   void clear();
+  /// Everything goes until bring_back(), or for good with clear(): another scene is drawn already.
+  void set_aside();
+  void bring_back();
   /// @returns its index.
   int add_scan(std::shared_ptr<OpenedScan> scan);
   void take_scan(int index);
@@ -134,8 +138,22 @@ class Document : public QObject {
     std::shared_ptr<OpenedScan> scan;
     int first_loop = 0;
   };
+  /// What was set aside.
+  struct Aside {
+    std::vector<Slot> slots;
+    std::vector<BoundaryLoop> loops;
+    std::vector<int> scan_of_loop;
+    Vec3 origin = Vec3::Zero();
+    std::vector<OpenPatch> patches;
+    std::map<int, Message> failures;
+    std::map<int, std::string> units;
+    std::map<int, EdgeEdits> edge_edits;
+    std::map<int, MirrorPlane> mirror_planes;
+  };
   void index_patches();
+  void swap_with(Aside& other);
 
+  std::optional<Aside> aside_;
   std::vector<Slot> slots_;
   std::vector<BoundaryLoop> loops_;
   std::vector<int> scan_of_loop_;

@@ -117,13 +117,15 @@ QStringList facts_of(const Document& document, const FillReport& report, std::si
     look += !cuts && verdict && verdict->grade == Grade::look;
     good += !cuts && verdict && verdict->grade == Grade::good;
   }
-  facts << tr("Holes with a patch: %1 (%2 good, %3 to look at, %4 bad, %5 not judged). Open loops: %6.")
+  const auto left_out = static_cast<std::size_t>(loops_left_out(document));
+  facts << tr("Holes with a patch: %1 (%2 good, %3 to look at, %4 bad, %5 not judged). Open: %6. Left out: %7.")
                .arg(report.holes.size())
                .arg(good)
                .arg(look)
                .arg(bad)
                .arg(report.holes.size() - good - look - bad)
-               .arg(static_cast<std::size_t>(report.open.size()) + unnamed);
+               .arg(static_cast<std::size_t>(report.open.size()) + unnamed - left_out)
+               .arg(left_out);
   const std::vector<int> scans = document.scans();
   const bool is_changed = std::any_of(scans.begin(), scans.end(), [&](int scan) {
     return !document.scan(scan)->repaired_from.isEmpty() || document.scan(scan)->from == ScanOrigin::made;

@@ -16,27 +16,6 @@ bool is_number(int column) {
   return column < HoleTable::kind || column == HoleTable::crease || column == HoleTable::deviation;
 }
 
-/// The smaller, the sooner a person should look at it.
-int urgency(HoleState state) {
-  switch (state) {
-    case HoleState::bad: return 0;
-    case HoleState::cutting: return 1;
-    case HoleState::failed: return 2;
-    case HoleState::look: return 3;
-    case HoleState::stalled: return 4;
-    case HoleState::open: return 5;
-    case HoleState::running:
-    case HoleState::stepped: return 6;
-    case HoleState::filled: return 7;
-    case HoleState::faired:
-    case HoleState::early_stop:
-    case HoleState::converged: return 8;
-    case HoleState::accepted: return 9;
-    case HoleState::left_out: return 10;
-  }
-  return 10;
-}
-
 }  // namespace
 
 HoleTable::HoleTable(const Document& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
@@ -170,7 +149,7 @@ QVariant HoleTable::sort_key(int loop, int column) const {
     case boundary: return boundary_of(loop) ? boundary_of(loop)->noise_per_edge : -1;
     case crease: return document_.verdict(loop) ? document_.verdict(loop)->crease_deg.value_or(0) : -1;
     case deviation: return document_.deviation(loop).is_known() ? document_.deviation(loop).likely : -1;
-    case state: return urgency(document_.state(loop));
+    case state: return labels::urgency(document_.state(loop));
     default: return {};
   }
 }

@@ -95,6 +95,26 @@ QString state(HoleState state) {
   return {};
 }
 
+int urgency(HoleState state) {
+  switch (state) {
+    case HoleState::bad: return 0;
+    case HoleState::cutting: return 1;
+    case HoleState::failed: return 2;
+    case HoleState::look: return 3;
+    case HoleState::stalled: return 4;
+    case HoleState::open: return 5;
+    case HoleState::running:
+    case HoleState::stepped: return 6;
+    case HoleState::filled: return 7;
+    case HoleState::faired:
+    case HoleState::early_stop:
+    case HoleState::converged: return 8;
+    case HoleState::accepted: return 9;
+    case HoleState::left_out: return 10;
+  }
+  return 10;
+}
+
 QString verdict_or_state(const Document& document, int loop) {
   const HoleState now = document.state(loop);
   const bool came_to_an_end = now == HoleState::converged || now == HoleState::early_stop || now == HoleState::faired ||
@@ -253,9 +273,9 @@ QString notice(const Notice& notice) {
     case NoticeCode::mirror_image:
       return tr("copied from the mirror image, from which the surface around is %1 diameters away").arg(digits(0));
     case NoticeCode::mirror_misfit:
-      return tr("not copied from the mirror image, from which the surface around is %1 diameters away; from a quadric "
-                "it "
-                "is %2")
+      return tr("not copied from the mirror image, from which the surface around is %1 diameters away: more than 0.02, "
+                "or "
+                "than a tenth of its distance from a quadric, %2")
           .arg(digits(0), digits(1));
     case NoticeCode::mirror_no_symmetry:
       return tr("not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent "
@@ -355,6 +375,12 @@ QString not_kept(const std::vector<NotKept>& list) {
 
 namespace {
 
+// By itself: lupdate does not see it within a call.
+const char* const touching_words = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) along which it touches itself");
+
+/// Edges of more than two faces that agree in pairs enclose a volume, and are still edges that other programs take for faults.
+bool is_plainly_watertight(const Watertightness& surface) { return surface.encloses() && surface.touching_edges == 0; }
+
 QStringList faults_in_words(const Watertightness& surface) {
   QStringList words;
   const auto add = [&words](std::size_t n, const char* one_or_more) {
@@ -366,6 +392,7 @@ QStringList faults_in_words(const Watertightness& surface) {
       QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) whose faces look to opposite sides"));
   add(surface.intersections, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln pair(s) of faces that intersect"));
   if (surface.encloses() && !(surface.volume > 0)) words << tr("the surface is inside out");
+  if (!words.isEmpty()) add(surface.touching_edges, touching_words);
   return words;
 }
 
@@ -375,24 +402,27 @@ QString verdict(const Watertightness& surface) {
   if (surface.printable()) return tr("Watertight, ready to print");
   const QStringList words = faults_in_words(surface);
   const QString first = words.value(0);
-  if (surface.encloses()) return tr("Watertight, not ready to print: %1").arg(first);
+  if (is_plainly_watertight(surface)) return tr("Watertight, not ready to print: %1").arg(first);
+  if (surface.encloses())
+    return words.size() > 1 ? tr("Not ready to print: %1 and more").arg(first)
+                            : tr("Not ready to print: %1").arg(first);
   return words.size() > 1 ? tr("Not watertight: %1 and more").arg(first) : tr("Not watertight: %1").arg(first);
 }
 
 QString verdict_in_full(const Watertightness& surface) {
   if (surface.printable()) return verdict(surface);
   const QString all = faults_in_words(surface).join(QStringLiteral(", "));
-  return surface.encloses() ? tr("Watertight, not ready to print: %1").arg(all) : tr("Not watertight: %1").arg(all);
+  if (is_plainly_watertight(surface)) return tr("Watertight, not ready to print: %1").arg(all);
+  return surface.encloses() ? tr("Not ready to print: %1").arg(all) : tr("Not watertight: %1").arg(all);
 }
 
 QString verdict_help(const Watertightness& surface) {
   QStringList lines = faults_in_words(surface);
-  // By themselves: lupdate does not see them within the call.
   const char* const pieces = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln piece(s) of surface");
-  const char* const touching = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) along which it touches itself");
   lines << tr(pieces, static_cast<int>(surface.pieces));
   if (surface.encloses()) lines << tr("volume %1, in cubic units of the scan").arg(number(surface.volume));
-  if (surface.touching_edges > 0) lines << tr(touching, static_cast<int>(surface.touching_edges));
+  if (surface.printable() && surface.touching_edges > 0)
+    lines << tr(touching_words, static_cast<int>(surface.touching_edges));
   for (QString& line : lines) line = sentence(line);
   return lines.join(QLatin1Char('\n'));
 }

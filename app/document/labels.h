@@ -13,6 +13,8 @@ QString kind(LoopKind kind);
 QString kind_help(LoopKind kind);
 QString state(HoleState state);
 QString state_help(HoleState state);
+/// The smaller, the sooner a person should look at it.
+int urgency(HoleState state);
 /// How the table names a hole: "good" where its patch has that verdict, its kind where it is left out, else the state.
 QString verdict_or_state(const Document& document, int loop);
 QString flow(FlowKind flow);

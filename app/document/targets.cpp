@@ -67,6 +67,16 @@ int cracks_left(const Document& document) {
   return cracks;
 }
 
+bool is_left_out(const Document& document, int loop) {
+  return document.present(loop) && !document.fillable(loop) && !document.patch_of(loop);
+}
+
+int loops_left_out(const Document& document) {
+  int count = 0;
+  for (int loop = 0; loop < document.loop_count(); ++loop) count += is_left_out(document, loop);
+  return count;
+}
+
 std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit) {
   std::set<int> loops;
   for (int loop = 0; loop < document.loop_count(); ++loop) {

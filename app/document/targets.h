@@ -26,6 +26,9 @@ std::set<int> loops_of(const Document& document, const std::set<int>& patches);
 
 /// Cracks that nothing has closed: what Stitch is for.
 int cracks_left(const Document& document);
+/// A loop that is no hole, and has no patch.
+bool is_left_out(const Document& document, int loop);
+int loops_left_out(const Document& document);
 
 /// Boundary loops but cracks and cuts that stay open in what is exported: a patch that cuts the surface is left out of it.
 int open_loops(const Document& document);

@@ -159,7 +159,8 @@ void CandidateController::follow_document() {
 void CandidateController::cancel() {
   if (!job_) return;
   drop(job_);
-  Q_EMIT changed();
+  constexpr std::size_t least_to_choose_from = 2;
+  candidates_.size() < least_to_choose_from ? forget() : Q_EMIT changed();
 }
 
 void CandidateController::forget() {

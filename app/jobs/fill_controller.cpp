@@ -154,7 +154,7 @@ void FillController::start_fill(FillRequest request) {
                             : request.pace == Pace::watched ? Activity::running
                                                             : Activity::solving;
   const JobPtr job = begin_run(activity, flows ? run_name_ : tr("Filling %1").arg(where), loops, request.joining);
-  announced_later_ = request.loops;
+  announced_later_ = fill_loops_ = request.loops;
   if (flows) sessions_.clear();
   if (!flows && ready && ready->loops == loops && ready->choice == request.choice) {
     run_->place(ready->runs);
@@ -229,10 +229,16 @@ void FillController::say_outcome(const FillOutcome& outcome) {
   for (const auto& [loop, why] : open)
     if (lines++ < 2 * most_lines)
       Q_EMIT logged(tr("Hole %1 stays open: %2").arg(labels::hole_name(document_, loop), labels::in_words(why)));
-  if (!open.empty())
-    Q_EMIT failed(tr("%L1 of %L2 holes could not be filled. The State column says why, and what may help.")
-                      .arg(open.size())
-                      .arg(run_loops_.size()));
+  if (open.size() == 1)
+    Q_EMIT left_open(
+        tr("Hole %1 could not be filled: %2. Point at its state in the table to see what may help.")
+            .arg(labels::hole_name(document_, open.begin()->first), labels::in_words(open.begin()->second)));
+  else if (!open.empty())
+    Q_EMIT left_open(
+        tr("%L1 of %L2 holes could not be filled. Point at the state of one in the table to see why, and what "
+           "may help.")
+            .arg(open.size())
+            .arg(run_loops_.size()));
 }
 
 void FillController::adopt(OpenPatch patch) {

@@ -18,6 +18,7 @@
 #include <QStringList>
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -48,6 +49,14 @@ enum class ScanRepair {
 
 struct RepairedScan;
 struct ScanRepairTask;
+
+/// What a repair would cost beside what it does: asked before it is done.
+struct RepairQuestion {
+  QString done;                             ///< of the scans, in words
+  int patches = 0;                          ///< that would be lost
+  std::size_t loops_before = 0, loops = 0;  ///< boundary loops of the scans
+  std::function<void()> apply;
+};
 
 /// How holes are filled.
 struct FillChoice {
@@ -151,7 +160,13 @@ class FillController : public QObject {
   void preview_ready(SurfaceShapePtr shape);
   void preview_dropped();
   void ghosts_changed(std::vector<SurfaceShapePtr> ghosts);
-  void filled(const std::set<int>& loops);  ///< by initial patches, from which a flow may follow
+  /// The largest of the holes that were to be filled has its patch, from which a flow may follow; at the end, those among them
+  /// that are to be looked at first.
+  void filled(const std::set<int>& loops);
+  /// Patches would be lost, or many holes made; without an answer nothing changes.
+  void repair_questioned(const RepairQuestion& question);
+  void repaired(const QString& words);   ///< what was done to scans
+  void left_open(const QString& words);  ///< holes that could not be filled
   void failed(const QString& words);
   void notice(const QString& words);
   void logged(const QString& words);
@@ -192,10 +207,13 @@ class FillController : public QObject {
   void give_up(const QString& text);
   void run_repair(ScanRepair what, std::vector<ScanRepairTask> tasks, const std::optional<FillAndSmooth>& then = {});
   void on_repaired(const std::vector<RepairedScan>& all, ScanRepair what, const std::optional<FillAndSmooth>& then);
+  void apply_repaired(const std::vector<RepairedScan>& all, ScanRepair what, const std::optional<FillAndSmooth>& then);
   /// @returns its loops that are to be filled.
   std::set<int> take_repaired(const RepairedScan& repaired);
   void keep_unit(const std::vector<int>& gone, int come);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
+  /// The former scene comes back.
+  void drop_preview();
   int on_opened(const OpenedScanPtr& scan, OpenMode mode);
   void show_color(const OpenedScanPtr& scan, SurfaceShapePtr shape);
   void add_curvature(const OpenedScanPtr& scan, const JobPtr& job);
@@ -208,6 +226,7 @@ class FillController : public QObject {
   void show_running();
   void take_records();
   void on_run_ended(const FillOutcome& outcome);
+  void announce_first_to_look_at(const std::set<int>& loops);
   void say_outcome(const FillOutcome& outcome);
   void record_run();
   void log_run(const std::vector<PatchChange::Pair>& changes);
@@ -229,7 +248,8 @@ class FillController : public QObject {
   std::shared_ptr<RunRecorder> recorder_;
   std::optional<DocumentRun> run_;
   std::set<int> run_loops_,
-      announced_later_;  ///< of the present run; of these, new ones whose patches are not there yet
+      fill_loops_,       ///< of these, those to be filled
+      announced_later_;  ///< of the present run; of these, new ones until the largest has its patch
   std::map<int, EvolutionSession> sessions_;
   std::map<int, ScanContextPtr> scan_contexts_;
   std::map<int, OpenPatch> scrub_start_;

@@ -34,7 +34,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
   LoadStages stages;
   stages.stage = [this, job](const QString& words) { job->post([this, words] { Q_EMIT stage_changed(words); }); };
   const auto report = [this](const QString& words) {
-    Q_EMIT preview_dropped();
+    drop_preview();
     report_failure(words);
   };
   const auto open_all = [this, job, stages, paths, mode, origin, report]() mutable {
@@ -42,7 +42,12 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
     for (const QString& path : paths) {
       try {
         if (next == OpenMode::replace)
-          stages.picture = [this, job](auto shape) { job->post([this, shape] { Q_EMIT preview_ready(shape); }); };
+          stages.picture = [this, job](auto shape) {
+            job->post([this, shape] {
+              document_.set_aside();  // its facts do not belong to this picture
+              Q_EMIT preview_ready(shape);
+            });
+          };
         stages.opened = [this, job, next](const OpenedScanPtr& scan) {
           job->post([this, scan, next] {
             on_opened(scan, next);
@@ -71,6 +76,11 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
     report(words);
     end();
   });
+}
+
+void FillController::drop_preview() {
+  Q_EMIT preview_dropped();
+  document_.bring_back();
 }
 
 int FillController::on_opened(const OpenedScanPtr& scan, OpenMode mode) {

@@ -4,9 +4,11 @@
 #include "document/labels.h"
 #include "document/message_words.h"
 #include "document/run_curves.h"
+#include "document/targets.h"
 #include "jobs/fill_controller.h"
 
 #include <cmath>
+#include <utility>
 
 namespace loopmend {
 void FillController::evolve(const std::set<int>& patch_ids, EvolutionOptions options, Pace pace) {
@@ -22,6 +24,7 @@ JobPtr FillController::begin_run(Activity activity, const QString& stage, const 
   run_.emplace(document_, timeline_budget_);
   run_loops_ = loops;
   announced_later_.clear();
+  fill_loops_.clear();
   run_joining_ = joining;
   if (activity != Activity::filling) show_running();
   return job;
@@ -78,9 +81,24 @@ void FillController::take_records() {
   std::set<int> come;
   for (int loop : announced_later_)
     if (document_.patch_of(loop)) come.insert(loop);
-  if (come.empty()) return;
+  // The small ones are there first.
+  if (come.empty() || !come.contains(largest(document_, announced_later_, 1).front())) return;
   announced_later_.clear();
   Q_EMIT filled(come);
+}
+
+/// Of those with the worst verdict, if there is anything to look at.
+void FillController::announce_first_to_look_at(const std::set<int>& loops) {
+  std::set<int> worst;
+  int urgency = 0;
+  for (int loop : loops) {
+    if (!document_.present(loop) || !document_.to_look_at(loop)) continue;
+    const int own = labels::urgency(document_.state(loop));
+    if (worst.empty() || own < urgency) worst.clear();
+    if (worst.empty() || own <= urgency) worst.insert(loop);
+    if (worst.contains(loop)) urgency = own;
+  }
+  if (!worst.empty()) Q_EMIT filled(worst);
 }
 
 void FillController::on_run_ended(const FillOutcome& outcome) {
@@ -89,8 +107,11 @@ void FillController::on_run_ended(const FillOutcome& outcome) {
   take_records();
   run_->place_rest();
   record_run();
+  const std::set<int> fills = std::exchange(announced_later_, {}), all = std::exchange(fill_loops_, {});
   end();
   say_outcome(outcome);
+  if (!fills.empty()) Q_EMIT filled(fills);
+  announce_first_to_look_at(all);
   if (was_flow) Q_EMIT flow_ended(is_whole ? RunEnd::complete : RunEnd::stopped);
 }
 
@@ -155,7 +176,7 @@ void FillController::cancel() {
   if (what != Activity::filling) take_records();
   if (what != Activity::filling && run_) run_->place_rest();
   job_->cancel();
-  if (what == Activity::opening) Q_EMIT preview_dropped();
+  if (what == Activity::opening) drop_preview();
   record_run();
   end();
   const bool was_flow =

@@ -6,6 +6,8 @@
 #include "jobs/fill_controller.h"
 #include "jobs/repair_scan.h"
 
+#include <QMetaMethod>
+
 namespace loopmend {
 
 void FillController::repair_scans(ScanRepair what, const std::set<int>& loops) {
@@ -91,9 +93,47 @@ void FillController::run_repair(ScanRepair what, std::vector<ScanRepairTask> tas
       [this](const QString& text) { give_up(text); });
 }
 
+namespace {
+
+/// More boundary loops than a person overlooks at a glance.
+constexpr std::size_t many_new_loops = 10;
+
+RepairQuestion question_on(const std::vector<RepairedScan>& all) {
+  RepairQuestion question;
+  QStringList words;
+  for (const RepairedScan& one : all) {
+    if (!one.made) continue;
+    words << one.words;
+    question.patches += one.lost_patches;
+    question.loops_before += one.loops_before;
+    question.loops += one.loops;
+  }
+  question.done = words.join(QLatin1Char('\n'));
+  return question;
+}
+
+}  // namespace
+
 void FillController::on_repaired(const std::vector<RepairedScan>& all, ScanRepair what,
                                  const std::optional<FillAndSmooth>& then) {
   end();
+  RepairQuestion question = question_on(all);
+  const bool opens_much = what != ScanRepair::erase && question.loops > question.loops_before + many_new_loops;
+  const bool is_heard = isSignalConnected(QMetaMethod::fromSignal(&FillController::repair_questioned));
+  if ((question.patches == 0 && !opens_much) || !is_heard) {
+    apply_repaired(all, what, then);
+    return;
+  }
+  question.apply = [this, all, what, then] {
+    for (const RepairedScan& one : all)
+      if (busy() || !document_.scan(one.scan)) return;
+    apply_repaired(all, what, then);
+  };
+  Q_EMIT repair_questioned(question);
+}
+
+void FillController::apply_repaired(const std::vector<RepairedScan>& all, ScanRepair what,
+                                    const std::optional<FillAndSmooth>& then) {
   std::set<int> to_fill;
   bool changed = false;
   for (const RepairedScan& one : all) {
@@ -103,6 +143,7 @@ void FillController::on_repaired(const std::vector<RepairedScan>& all, ScanRepai
     }
     changed = true;
     to_fill.merge(take_repaired(one));
+    if (what != ScanRepair::bridge && what != ScanRepair::erase) Q_EMIT repaired(one.words);
   }
   if (all.empty()) Q_EMIT notice(nothing_to_repair(what));
   if (!to_fill.empty()) Q_EMIT holes_made(to_fill);

@@ -46,6 +46,8 @@ class MirrorGuide : public QObject {
   /// Whether fills of this scan copy from the image where it fits.
   enum class Use { no, where_it_fits };
   void use(Use use);
+  /// Whether selected holes alone are compared.
+  bool is_of_selection() const { return !selection_.selected().empty(); }
   Use use() const { return document_.mirror_plane(scan_) ? Use::where_it_fits : Use::no; }
   bool shut_down(std::chrono::milliseconds at_most);
 

@@ -235,6 +235,20 @@ std::optional<RepairedScan> parted(const ScanRepairTask& task) {
                       NewPoints{}};
 }
 
+std::size_t count_loops(const OpenedScan& scan) {
+  return static_cast<std::size_t>(
+      std::count_if(scan.loops.begin(), scan.loops.end(), [](const auto& loop) { return loop.kind != LoopKind::cut; }));
+}
+
+/// How much of the scan is left, and how open it is.
+QString sizes_in_words(const OpenedScan& before, const RepairedScan& after) {
+  const std::size_t had = before.model->soup.triangles.size(), has = after.made->model->soup.triangles.size();
+  QString words = FillController::tr("Boundary loops: %L1, before %L2.").arg(after.loops).arg(after.loops_before);
+  if (has < had)
+    words += QLatin1Char(' ') + FillController::tr("%Ln triangle(s) fewer.", nullptr, static_cast<int>(had - has));
+  return words;
+}
+
 }  // namespace
 
 std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask& task) {
@@ -251,6 +265,10 @@ std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask&
   }
   if (!result || !result->made) return result;
   result->made->repaired_from = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->repaired_from;
+  result->loops_before = count_loops(*task.opened);
+  result->loops = count_loops(*result->made);
+  if (what == ScanRepair::repair || what == ScanRepair::prepare || what == ScanRepair::stitch)
+    result->words += QLatin1Char(' ') + sizes_in_words(*task.opened, *result);
   if (result->new_points)
     result->carried = carried_patches(task.patches, task.first_loop, *task.opened, *result->made, *result->new_points);
   result->lost_patches = static_cast<int>(task.patches.size() - result->carried.size()) - result->joined_patches;

@@ -42,7 +42,8 @@ struct RepairedScan {
   std::vector<OpenPatch> carried{};       ///< patches that are the same in the repaired scan; see carried_patches()
   int joined_patches = 0;                 ///< that are a part of it now
   int lost_patches = 0;
-  std::vector<int> to_fill{};  ///< loops within the repaired scan
+  std::size_t loops_before = 0, loops = 0;  ///< boundary loops of the scan, cuts aside
+  std::vector<int> to_fill{};               ///< loops within the repaired scan
 };
 
 /// The repaired scan; empty where there is nothing to repair. @throws Error as the function of the engine does.

@@ -71,6 +71,21 @@ bool Banner::eventFilter(QObject* watched, QEvent* event) {
   return QFrame::eventFilter(watched, event);
 }
 
+void Banner::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  Q_EMIT covered(height());
+}
+
+void Banner::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  Q_EMIT covered(0);
+}
+
+void Banner::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  if (isVisible()) Q_EMIT covered(height());
+}
+
 /// The answers lie beside the words, or below them where they would leave too little room.
 void Banner::fit_words() {
   const QMargins margins = layout_->contentsMargins();

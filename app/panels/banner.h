@@ -37,8 +37,14 @@ class Banner : public QFrame {
   /// What it says, nothing shortened.
   QString text() const { return text_; }
 
+ Q_SIGNALS:
+  void covered(int height);  ///< of what it lies over
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void settle();

@@ -28,7 +28,10 @@ void CandidateCard::set_text(const CardText& text) {
   if (text == text_) return;
   text_ = text;
   setText(text.name);
-  explain(this, tr("%1: %2, %3").arg(text.name, text.verdict, text.figures), text.help);
+  explain(this,
+          text.figures.isEmpty() ? tr("%1: %2").arg(text.name, text.verdict)
+                                 : tr("%1: %2, %3").arg(text.name, text.verdict, text.figures),
+          text.help);
   update();
 }
 

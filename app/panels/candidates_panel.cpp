@@ -157,8 +157,10 @@ CardText CandidatesPanel::text_of(const Candidate& candidate) const {
     text.state = sign_of(worst->grade);
     text.verdict = worst->grade == Grade::good ? tr("good") : labels::state(text.state);
   }
-  text.figures = tr("crease %1\u00b0").arg(std::lround(crease));
-  if (is_known) text.figures += tr(", off %1").arg(labels::length(document_, likely));
+  QStringList figures;
+  if (worst) figures << tr("crease %1\u00b0").arg(std::lround(crease));
+  if (is_known) figures << tr("off %1").arg(labels::length(document_, likely));
+  text.figures = figures.join(QStringLiteral(", "));
   text.help = labels::candidate_help(candidate.kind);
   if (worst && worst->grade != Grade::good) text.help += QLatin1Char(' ') + labels::sentence_of(*worst);
   if (is_known)
@@ -227,7 +229,8 @@ void CandidatesPanel::update_state() {
   const bool busy = candidates_.busy(), shown = !candidates_.loops().empty();
   const int loop = chosen_loop();
   const bool of_shown = shown && candidates_.loops().contains(loop);
-  title_->setText(shown ? labels::sentence(labels::holes(document_, candidates_.loops())) : QString());
+  const QString holes = shown ? labels::sentence(labels::holes(document_, candidates_.loops())) : QString();
+  title_->setText(candidates_.loops().size() > 1 ? tr("%1, one patch").arg(holes) : holes);
   compute_->setText(busy ? tr("Cancel") : tr("Compute"));
   compute_->setEnabled(busy || (can_compute() && !(of_shown && candidates_.candidates().size() > 1)));
   bar_->setVisible(busy);

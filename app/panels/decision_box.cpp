@@ -77,19 +77,20 @@ void DecisionBox::build() {
   reject_ = make_button("reject", tr("Discard"), tr("Throw this patch away; the hole is open again (Delete)"));
   copy_ = make_button("copyCommand", tr("Copy command line"),
                       tr("Copy the commands that fill these holes in just this way, for a terminal or a script"));
-  grid->addWidget(place_, 0, 0, 1, 2);
-  grid->addWidget(timeline_, 1, 0, 1, 2);
-  grid->addWidget(player_, 2, 0, 1, 2);
-  grid->addWidget(accept_, 3, 0);
-  grid->addWidget(reject_, 3, 1);
+  // What is pressed for each patch first: it is seen without scrolling.
+  grid->addWidget(accept_, 0, 0);
+  grid->addWidget(reject_, 0, 1);
   auto* seam = make_button("showSeam", tr("Seam and plots"),
                            tr("Show or hide the seam in numbers, the energy of the run, a section, and the log"));
   connect(seam, &QPushButton::clicked, this, &DecisionBox::seam_wanted);
   others_ = make_button("otherPatches", tr("Other patches\u2026"),
                         tr("Compute other patches for this hole, see them side by side, take one (V)"));
   connect(others_, &QPushButton::clicked, this, &DecisionBox::candidates_wanted);
-  grid->addWidget(others_, 4, 0);
-  grid->addWidget(seam, 4, 1);
+  grid->addWidget(others_, 1, 0);
+  grid->addWidget(seam, 1, 1);
+  grid->addWidget(place_, 2, 0, 1, 2);
+  grid->addWidget(timeline_, 3, 0, 1, 2);
+  grid->addWidget(player_, 4, 0, 1, 2);
   grid->addWidget(copy_, 5, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);

@@ -97,8 +97,10 @@ void FillBox::build() {
   estimate_->setSizePolicy(keep);
   grid->addWidget(target_, 0, 0, 1, 3);
   grid->addWidget(estimate_, 1, 0, 1, 3);
-  grid->addWidget(whole_, 2, 0, 1, 3);
-  grid->addWidget(fill_, 3, 0, 1, 3);
+  auto* fills = new QHBoxLayout;
+  fills->addWidget(whole_, 1);
+  fills->addWidget(fill_, 1);
+  grid->addLayout(fills, 2, 0, 1, 3);
   auto* repairs = new QHBoxLayout;
   for (QPushButton* button : {trim_, stitch_, repair_}) repairs->addWidget(button);
   grid->addLayout(repairs, 4, 0, 1, 3);

@@ -13,6 +13,7 @@ namespace loopmend {
 namespace {
 
 constexpr int dot_column_px = 18;
+constexpr double ground_px = 7.5;  ///< radius of what lies under the sign in a selected row
 
 QPainterPath polyline(std::initializer_list<QPointF> points) {
   QPainterPath path(*points.begin());
@@ -120,7 +121,12 @@ void HoleDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   painter->translate(option.rect.left() + dot_column_px / 2.0 + 1, option.rect.center().y() + 0.5);
   const HoleState state = document_.state(loop);
   const bool selected = cell.state.testFlag(QStyle::State_Selected);
-  paint_sign(painter, state, selected ? option.palette.color(QPalette::HighlightedText) : sign_color(state));
+  if (selected) {  // its colour tells the verdict, also there
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(option.palette.color(QPalette::Base));
+    painter->drawEllipse(QPointF(0, 0), ground_px, ground_px);
+  }
+  paint_sign(painter, state, sign_color(state));
   painter->restore();
   cell.rect.setLeft(option.rect.left() + dot_column_px);
   QStyledItemDelegate::paint(painter, cell, index);

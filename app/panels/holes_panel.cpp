@@ -323,22 +323,21 @@ void HolesPanel::paint_row(int loop) {
 }
 
 void HolesPanel::update_summary() {
-  int count = 0, holes = 0, open = 0;
+  int holes = 0, open = 0;
   for (int loop = 0; loop < document_.loop_count(); ++loop) {
-    if (!document_.present(loop)) continue;
-    ++count;
-    if (!document_.fillable(loop)) continue;
+    if (!document_.present(loop) || is_left_out(document_, loop)) continue;
     ++holes;
     if (!document_.patch_of(loop)) ++open;
   }
+  const int left_out = loops_left_out(document_);
   all_->setEnabled(holes > 0);
   if (!document_.has_scan()) {
     summary_->setText(tr("No scan is open"));
-  } else if (count == 0) {
+  } else if (holes + left_out == 0) {
     summary_->setText(tr("No holes: closed surface"));
   } else {
     QString text = tr("%Ln hole(s), %L1 open", nullptr, holes).arg(open);
-    if (count > holes) text += tr("; %L1 left out").arg(count - holes);
+    if (left_out > 0) text += tr("; %L1 left out").arg(left_out);
     if (sorted_->narrowed()) text += tr("; %L1 shown").arg(sorted_->rowCount());
     summary_->setText(text);
   }

@@ -10,6 +10,13 @@
 #include <QVBoxLayout>
 
 namespace loopmend {
+namespace {
+
+constexpr const char* running_part =
+    "QProgressBar { border: 1px solid palette(mid); border-radius: 3px; background: palette(base); }"
+    "QProgressBar::chunk { background: palette(highlight); width: 48px; }";
+
+}  // namespace
 
 ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(parent), controller_(controller) {
   build();
@@ -20,6 +27,8 @@ ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(
   connect(&controller_, &FillController::progress_changed, this, [this](int done, int total) {
     bar_->setRange(0, total);
     bar_->setValue(done);
+    // The style fills a bar without an end, which looks as if all was done; a sheet lets a part of it run to and fro.
+    bar_->setStyleSheet(total > 0 ? QString() : QString::fromLatin1(running_part));
   });
   update_state();
 }

@@ -66,9 +66,13 @@ void StatusLine::count() {
                      : tr("%1 triangles \u00b7 %2 vertices").arg(labels::count(triangles), labels::count(vertices)));
   if (const auto& checked = check_.result(); checked && triangles > 0) {
     // Sides of a crack lie in the same place, and count as joined in the check: in files of vertices they are not.
-    closed_->setText(checked->encloses() && cracks > 0
-                         ? tr("Watertight but for %Ln crack(s): press Stitch", nullptr, cracks)
-                         : labels::verdict(*checked));
+    const int left_out = loops_left_out(document_);
+    QString words = labels::verdict(*checked);
+    if (checked->encloses() && cracks > 0 && left_out == cracks)
+      words = tr("Watertight but for %Ln crack(s): press Stitch", nullptr, cracks);
+    else if (checked->encloses() && left_out > 0)  // closed by faces that lie on others
+      words += tr("; %L1 left out").arg(left_out);
+    closed_->setText(words);
     closed_->setToolTip(labels::verdict_help(*checked));
     return;
   }

@@ -19,6 +19,7 @@
 #include <chrono>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace loopmend {
 
@@ -61,7 +62,7 @@ struct MeshScene::Impl {
   Edges edges = Edges::hidden;
   int stripes = 9;
   vtkSmartPointer<vtkPlane> clipping;  ///< null: nothing is clipped
-  int width = 1, height = 1;
+  int width = 1, height = 1, covered = 0;
   bool patches_changed = false, moving = false;
   LargeScans large_scans = LargeScans::whole;
   bool sending = false;                ///< large scans are on their way to the graphics
@@ -128,7 +129,7 @@ struct MeshScene::Impl {
   bool wants_legend() const { return legend_place != LegendPlace::none && colored(); }
   void update_legend() {
     if (wants_legend()) {
-      legend.lay_out(width, height);
+      legend.lay_out(width, height - covered);
       legend.show();
     } else {
       legend.hide();
@@ -420,6 +421,10 @@ void MeshScene::set_size(int width, int height) {
   impl_->width = width;
   impl_->height = height;
   impl_->update_legend();
+}
+
+void MeshScene::set_covered(int height) {
+  if (std::exchange(impl_->covered, height) != height) impl_->update_legend();
 }
 
 std::vector<Eigen::AlignedBox2d> MeshScene::legend_boxes() const {

@@ -95,6 +95,8 @@ class MeshScene {
   void set_pixel_ratio(double device_pixels_per_logical);
   /// Of the renderer that holds the legend, device pixels.
   void set_size(int width, int height);
+  /// Device pixels at the top that something lies over: the legend is below.
+  void set_covered(int height);
 
   /// Points of all scans and patches, three coordinates each: all of them or, of very many, every so manieth.
   std::vector<float> sample_points() const;

@@ -50,7 +50,8 @@ QString MirrorBox::fits_text() const {
                                one.fit.is_proposed()
                                    ? tr("the image fits, %1 diameters off").arg(labels::number(one.fit.misfit))
                                    : labels::notice(notice_on(one.fit)));
-  return lines.isEmpty() ? tr("There is no open hole.") : lines.join(QLatin1Char('\n'));
+  if (!lines.isEmpty()) return lines.join(QLatin1Char('\n'));
+  return guide_.is_of_selection() ? tr("No selected hole of this scan is open.") : tr("There is no open hole.");
 }
 
 void MirrorBox::follow() {

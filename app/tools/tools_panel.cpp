@@ -37,7 +37,10 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
     auto* button = make_button(name, text, help);
     button->setCheckable(true);
     button->setMinimumWidth(40);
-    connect(button, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
+    connect(button, &QPushButton::clicked, this, [this, tool](bool on) {
+      show_choice();  // until it is chosen
+      Q_EMIT tool_wanted(on ? tool : Tool::none);
+    });
     constexpr int columns = 3;
     const int place = static_cast<int>(choices_.size());
     choices_.push_back(button);
@@ -100,11 +103,16 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
   choose(Tool::none);
 }
 
+void ToolsPanel::show_choice() {
+  for (std::size_t k = 0; k < choices_.size(); ++k)
+    choices_[k]->setChecked(static_cast<int>(k) + 1 == static_cast<int>(tool_));
+}
+
 void ToolsPanel::choose(Tool tool) {
   tool_ = tool;
   const int page = static_cast<int>(tool);
   for (std::size_t k = 0; k < pages_.size(); ++k) pages_[k]->setVisible(static_cast<int>(k) == page);
-  for (std::size_t k = 0; k < choices_.size(); ++k) choices_[k]->setChecked(static_cast<int>(k) + 1 == page);
+  show_choice();
   trial_->setVisible(makes_surfaces(tool));
   Q_EMIT tool_chosen(tool);
 }

@@ -31,9 +31,12 @@ class ToolsPanel : public QScrollArea {
   void choose(Tool tool);
 
  Q_SIGNALS:
+  void tool_wanted(Tool tool);  ///< by a button; choose() does it
   void tool_chosen(Tool tool);
 
  private:
+  void show_choice();
+
   Tool tool_ = Tool::none;
   std::vector<QPushButton*> choices_;
   std::vector<QWidget*> pages_;  ///< in the order of Tool

@@ -9,6 +9,8 @@
 
 #include <QPalette>
 
+#include <utility>
+
 namespace loopmend {
 namespace {
 
@@ -35,6 +37,7 @@ CandidateBinder::CandidateBinder(const Document& document, CandidateController& 
   connect(&panel_, &CandidatesPanel::cards_changed, this, &CandidateBinder::draw_soon);
   connect(&candidates_, &CandidateController::changed, this, [this] {
     if (candidates_.loops().empty()) pictures_.reset();
+    if (std::exchange(neighborhood_, candidates_.neighborhood()) != neighborhood_) draw_soon();
   });
   connect(&view_, &MeshView::drawn, this, [this] {
     if (is_shown()) turned_.start();
@@ -44,7 +47,7 @@ CandidateBinder::CandidateBinder(const Document& document, CandidateController& 
 
 CandidateBinder::~CandidateBinder() = default;
 
-bool CandidateBinder::is_shown() const { return panel_.isVisible() && candidates_.candidates().size() > 1; }
+bool CandidateBinder::is_shown() const { return panel_.isVisible() && !candidates_.candidates().empty(); }
 
 void CandidateBinder::show_looked_at() {
   const int index = panel_.looked_at();

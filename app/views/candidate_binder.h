@@ -17,6 +17,7 @@ class CandidatePictures;
 class CandidatesPanel;
 class Document;
 class MeshView;
+struct SurfaceShape;
 enum class CandidateKind;
 
 class CandidateBinder : public QObject {
@@ -40,6 +41,7 @@ class CandidateBinder : public QObject {
   MeshView& view_;
   std::unique_ptr<CandidatePictures> pictures_;
   QTimer timer_{this}, turned_{this};
+  std::shared_ptr<const SurfaceShape> neighborhood_;                                      ///< as it was drawn last
   std::deque<CandidateKind> waiting_;                                                     ///< for their pictures
   Eigen::Vector3d towards_eye_ = Eigen::Vector3d::Zero(), up_ = Eigen::Vector3d::Zero();  ///< of the last pictures
 };

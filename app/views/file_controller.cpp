@@ -53,12 +53,17 @@ FileController::FileController(Document& document, UndoHistory& undo, FillContro
   connect(&controller_, &FillController::failed, this, [this] { after_saving_ = nullptr; });
 }
 
+bool FileController::has_result() const { return problem_ && problem_->stage() == ProblemController::Stage::solved; }
+
 bool FileController::has_unsaved_work() const { return !undo_.is_saved() && document_.has_work(); }
 
 void FileController::act_when_safe(const std::vector<int>& scans, const QString& lose,
                                    const std::function<void()>& act) {
   if (!has_unsaved_work()) {
-    act();
+    if (has_result())
+      ask_without_result(lose, act);
+    else
+      act();
     return;
   }
   QStringList names;
@@ -188,9 +193,13 @@ void FileController::save_session_as() {
   controller_.save_session(dialog.path(), keep_);
 }
 
+void FileController::ask_without_result(const QString& lose, const std::function<void()>& act) {
+  banner_.ask(tr("The result of the tool was not accepted yet."),
+              {{lose, "answerLose", act}, {tr("&Cancel"), "answerCancel", [] {}}});
+}
+
 bool FileController::may_close() {
-  const bool has_result = problem_ && problem_->stage() == ProblemController::Stage::solved;
-  if (closing_ == Closing::agreed || (!has_unsaved_work() && !has_result)) return true;
+  if (closing_ == Closing::agreed || (!has_unsaved_work() && !has_result())) return true;
   const auto close = [this] {
     closing_ = Closing::agreed;
     window_->close();
@@ -198,8 +207,7 @@ bool FileController::may_close() {
   if (has_unsaved_work())
     act_when_safe(document_.scans_with_work(), tr("&Quit without saving"), close);
   else
-    banner_.ask(tr("The result of the tool was not accepted yet."),
-                {{tr("&Close without it"), "answerLose", close}, {tr("&Cancel"), "answerCancel", [] {}}});
+    ask_without_result(tr("&Close without it"), close);
   return false;
 }
 

@@ -54,6 +54,8 @@ class FileController : public QObject {
   /// A name beside the first scan's.
   QString proposal(const QString& ending) const;
   bool has_unsaved_work() const;
+  /// Of a tool, neither accepted nor discarded.
+  bool has_result() const;
   const QString& session_path() const { return session_path_; }
 
  Q_SIGNALS:
@@ -66,6 +68,7 @@ class FileController : public QObject {
  private:
   /// Asks first where there is unsaved work. @param scans  that it would be lost of
   void act_when_safe(const std::vector<int>& scans, const QString& lose, const std::function<void()>& act);
+  void ask_without_result(const QString& lose, const std::function<void()>& act);
   void recover(const Leftover& leftover);
   void offer_to_locate(const SessionFile& session, const QString& scan);
 

@@ -54,9 +54,14 @@
 namespace loopmend {
 namespace {
 
+/// A scroll bar is a slider to Qt, and gets the wheel from the panel that it scrolls.
+bool is_value_slider(const QWidget* widget) {
+  return qobject_cast<const QAbstractSlider*>(widget) && !qobject_cast<const QScrollBar*>(widget);
+}
+
 bool is_turned_by_wheel(const QWidget* widget) {
   return qobject_cast<const QComboBox*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
-         qobject_cast<const QAbstractSlider*>(widget);
+         is_value_slider(widget);
 }
 
 }  // namespace
@@ -86,6 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(status_, 1);
   connect_controller();
+  connect_problems();
   connect_document();
   connect_leisure();
   connect_panels();
@@ -118,6 +124,7 @@ void MainWindow::build_centre() {
   centre_->addWidget(view_);
   column->addWidget(pages);
   banner_ = new Banner(middle);
+  connect(banner_, &Banner::covered, view_, &MeshView::set_covered);
   setCentralWidget(middle);
 }
 
@@ -190,6 +197,8 @@ void MainWindow::build_docks() {
 void MainWindow::connect_controller() {
   connect(&controller_, &FillController::failed, banner_, &Banner::show_problem);
   connect(&controller_, &FillController::notice, banner_, &Banner::show_notice);
+  connect(&controller_, &FillController::repaired, banner_, &Banner::show_notice);
+  connect(&controller_, &FillController::repair_questioned, this, &MainWindow::ask_about);
   connect(&controller_, &FillController::holes_made, &selection_, &HoleSelection::select);
   connect(&controller_, &FillController::logged, inspect_, &InspectPanel::log);
   connect(&autosave_, &Autosave::failed, banner_, &Banner::show_problem);
@@ -213,7 +222,9 @@ void MainWindow::connect_controller() {
     look_->set_look(look);
     view_->set_viewpoint(seen.from);
   });
-  connect(&controller_, &FillController::session_saved, this, &MainWindow::update_title);
+  // After the controller of files, which knows by then what the session is called.
+  for (auto signal : {&FillController::session_saved, &FillController::file_opened})
+    connect(&controller_, signal, this, &MainWindow::update_title);
 }
 
 /// Between the steps of a flow memory is kept; after undo or close it goes back, as soon as no work waits.
@@ -298,6 +309,16 @@ void MainWindow::connect_panels() {
   connect(&patch_->flow_box(), &FlowBox::compare_wanted, (*actions_)["compare"], &QAction::trigger);
   connect(compare_, &CompareController::failed, banner_, &Banner::show_problem);
   connect(tools_, &ToolController::failed, banner_, &Banner::show_problem);
+  connect(tools_, &ToolController::result_would_go, this, [this](const std::function<void()>& act) {
+    banner_->ask(tr("The result of the tool was not accepted yet."), {{tr("&Accept it"), "answerAccept",
+                                                                       [this, act] {
+                                                                         tools_->trial().accept();
+                                                                         if (!tools_->has_result()) act();
+                                                                       }},
+                                                                      {tr("&Discard it"), "answerLose", act},
+                                                                      {tr("&Cancel"), "answerCancel", [] {}}});
+  });
+  connect(&tools_->trial(), &ProblemController::stage_changed, this, &MainWindow::update_title);
   connect(tools_, &ToolController::notice, banner_, &Banner::show_notice);
   connect(tools_, &ToolController::notice, inspect_, &InspectPanel::log);
   const auto as_chosen = [this] { return FillAndSmooth{patch_->fill_box().choice(), patch_->flow_box().options()}; };
@@ -330,8 +351,7 @@ void MainWindow::guard_buttons() {
   }
   // Space opens a list, ticks a box in one, and is nothing to a slider. The table of holes has no use for it: there it runs.
   for (QWidget* widget : findChildren<QWidget*>())
-    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget) ||
-        qobject_cast<QAbstractSlider*>(widget))
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget) || is_value_slider(widget))
       widget->installEventFilter(this);
   // The wheel scrolls the panel that it is over; it turns a value only where that has the focus.
   for (QWidget* widget : findChildren<QWidget*>())
@@ -375,11 +395,12 @@ void MainWindow::follow_scan_colors() {
 void MainWindow::update_title() {
   QStringList names;
   for (int index : document_.scans()) names << document_.scan(index)->name;
-  if (!files_->session_path().isEmpty()) names = QStringList(QFileInfo(files_->session_path()).fileName());
+  if (!names.isEmpty() && !files_->session_path().isEmpty())
+    names = QStringList(QFileInfo(files_->session_path()).fileName());
   const QString what = names.size() > 2 ? tr("%1 and %2 more").arg(names.first()).arg(names.size() - 1)
                                         : names.join(QStringLiteral(", "));
   setWindowTitle(what.isEmpty() ? tr("Loopmend") : tr("%1[*] \u2013 Loopmend").arg(what));
-  setWindowModified(!what.isEmpty() && files_->has_unsaved_work());
+  setWindowModified(!what.isEmpty() && (files_->has_unsaved_work() || files_->has_result()));
 }
 
 void MainWindow::open(const QStringList& paths, OpenMode mode) { files_->open(paths, mode); }

@@ -96,6 +96,8 @@ class MainWindow : public QMainWindow {
   void show_candidates();
   void step_back();
   void update_actions();
+  void ask_about(const RepairQuestion& question);
+  void connect_problems();
   /// A scan that brings its own colours is shown in them.
   void follow_scan_colors();
   void update_title();
@@ -114,6 +116,7 @@ class MainWindow : public QMainWindow {
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;
   Banner* banner_ = nullptr;
+  QString left_open_;  ///< the banner's words on holes that could not be filled
   bool has_scan_colors_ = false;
   CompareController* compare_ = nullptr;
   ExampleController* examples_ = nullptr;

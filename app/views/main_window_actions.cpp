@@ -33,8 +33,11 @@
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace loopmend {
 namespace {
@@ -181,6 +184,52 @@ void MainWindow::connect_patch_actions() {
     });
   a.on("compare", this, [this] { compare_->compare_holes(look_->look()); });
   a.on("cancelAction", this, &MainWindow::step_back);
+}
+
+/// What could not be filled is told until the next fill, or until it is true no more.
+void MainWindow::connect_problems() {
+  connect(&controller_, &FillController::left_open, this, [this](const QString& words) {
+    left_open_ = words;
+    banner_->show_problem(words);
+    inspect_->log(words);
+  });
+  const auto drop = [this] {
+    if (!left_open_.isEmpty() && banner_->text() == left_open_) banner_->hide();
+    left_open_.clear();
+  };
+  connect(&undo_, &UndoHistory::changed, this, drop);
+  connect(&document_, &Document::scans_changed, this, drop);
+  connect(&controller_, &FillController::activity_changed, this, [this, drop] {
+    if (controller_.busy()) drop();
+  });
+}
+
+/// Over whatever window asked for the repair.
+void MainWindow::ask_about(const RepairQuestion& question) {
+  QWidget* over = QApplication::activeWindow();
+  auto* dialog = new QMessageBox(over ? over : this);
+  dialog->setObjectName(QStringLiteral("repairQuestion"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setIcon(QMessageBox::Question);
+  dialog->setWindowTitle(tr("Loopmend"));
+  QStringList costs;
+  if (question.patches > 0)
+    costs << tr("%Ln patch(es) of this scan would go: the holes are open again, or other holes.", nullptr,
+                question.patches);
+  if (question.loops > question.loops_before)
+    costs
+        << tr("The scan would have %L1 boundary loops in place of %L2.").arg(question.loops).arg(question.loops_before);
+  dialog->setText(costs.join(QLatin1Char('\n')));
+  dialog->setInformativeText(question.done);
+  QPushButton* apply = dialog->addButton(tr("&Apply"), QMessageBox::AcceptRole);
+  apply->setObjectName(QStringLiteral("repairApply"));
+  QPushButton* keep = dialog->addButton(tr("&Leave it as it is"), QMessageBox::RejectRole);
+  keep->setObjectName(QStringLiteral("repairKeep"));
+  dialog->setDefaultButton(keep);
+  dialog->setEscapeButton(keep);
+  connect(apply, &QPushButton::clicked, this, [act = question.apply] { act(); });
+  dialog->setWindowModality(Qt::ApplicationModal);
+  dialog->show();
 }
 
 /// Esc: the first of these that there is.

@@ -339,8 +339,9 @@ void MeshView::drop_preview() {
   if (impl_->document.has_scan()) {
     on_scans_changed();
     on_patches_changed();
-    apply(impl_->pose_before, impl_->camera());
   }
+  apply(impl_->pose_before, impl_->camera());  // for what comes back
+  impl_->fresh_scene = false;
   redraw();
 }
 

@@ -49,6 +49,8 @@ class MeshView : public QWidget {
   /// That of a scan's colours.
   double range_of(int scan) const;
 
+  /// Something lies over the top of the picture, so many pixels high: the legend makes room.
+  void set_covered(int height);
   /// A first picture of a scan that is still being opened.
   void show_preview(SurfaceShapePtr shape);
   void drop_preview();

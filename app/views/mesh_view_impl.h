@@ -52,6 +52,7 @@ struct MeshView::Impl {
   LoopPicker picker;
   QTimer redraw_timer;
   QElapsedTimer last_picture, last_move;  ///< of the camera
+  int covered = 0;                        ///< see set_covered()
   int pause_ms = 0;                       ///< after a picture, before the next
   vtkNew<vtkFloatArray> depth;
   vtkMTimeType seen_camera = 0;

@@ -353,6 +353,7 @@ QImage MeshView::picture(const PictureOptions& options) {
   window->SetSize(options.size.width(), options.size.height());
   impl_->scene.set_pixel_ratio(ratio);
   impl_->scene.set_size(options.size.width(), options.size.height());
+  impl_->scene.set_covered(0);
   impl_->scene.set_legend(options.extras == Extras::none ? LegendPlace::none : LegendPlace::over_the_picture);
   if (see_through) {
     impl_->scene.set_ground(MeshScene::Ground::transparent);
@@ -376,6 +377,7 @@ QImage MeshView::picture(const PictureOptions& options) {
   window->SetSize(old.width(), old.height());
   impl_->scene.set_pixel_ratio(devicePixelRatioF());
   impl_->scene.set_size(old.width(), old.height());
+  set_covered(impl_->covered);
   impl_->scene.set_legend(LegendPlace::over_the_picture);
   impl_->drawing_elsewhere = before;
   redraw();
@@ -385,6 +387,12 @@ QImage MeshView::picture(const PictureOptions& options) {
     impl_->overlay->paint_frame(painter);
   }
   return picture;
+}
+
+void MeshView::set_covered(int height) {
+  impl_->covered = height;
+  impl_->scene.set_covered(static_cast<int>(height * devicePixelRatioF()));
+  redraw();
 }
 
 QPoint MeshView::position_of(int loop, int vertex) const {

@@ -42,6 +42,7 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
       region_box_(new RegionBox(*region_)),
       panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new EdgesBox(*edge_guide_),
                             new MirrorBox(document, *mirror_guide_), new MeasureBox(document, *measure_), trial_box_)) {
+  connect(panel_, &ToolsPanel::tool_wanted, this, &ToolController::take);
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
     give_up_trial();
@@ -97,7 +98,13 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
   connect(trial_box_, &ProblemBox::copy_wanted, this, &ToolController::copy_command);
 }
 
-void ToolController::take(Tool tool) { panel_->choose(tool); }
+void ToolController::take(Tool tool) {
+  const auto choose = [this, tool] { panel_->choose(tool); };
+  if (has_result() && tool != panel_->tool())
+    Q_EMIT result_would_go(choose);
+  else
+    choose();
+}
 
 void ToolController::on_tool(Tool tool) {
   give_up_trial();
@@ -130,6 +137,8 @@ void ToolController::on_tool(Tool tool) {
 bool ToolController::step_back() {
   if (trial_->busy()) {
     trial_->cancel();
+  } else if (has_result()) {
+    Q_EMIT result_would_go([this] { trial_->discard(); });
   } else if (trial_->stage() != ProblemController::Stage::none) {
     trial_->discard();
   } else if (bridge_->is_begun()) {

@@ -14,6 +14,8 @@
 
 #include <QObject>
 
+#include <functional>
+
 namespace loopmend {
 
 class MeshView;
@@ -43,6 +45,8 @@ class ToolController : public QObject {
   void compare() { pose(Then::compare); }
   /// Of each part the loop that looks at the others most.
   void select_facing();
+  /// Whether a tool holds a result that was neither accepted nor discarded.
+  bool has_result() const { return trial_->stage() == ProblemController::Stage::solved; }
   /// Esc: @returns whether there was something to step back from.
   bool step_back();
   bool shut_down(std::chrono::milliseconds at_most);
@@ -54,6 +58,8 @@ class ToolController : public QObject {
   void part_wanted(const HolePart& part);
   /// These points of a scan to be erased, and the hole filled likewise.
   void refill_wanted(int scan, const std::vector<int>& points);
+  /// Its result would be lost by this.
+  void result_would_go(const std::function<void()>& act);
   void failed(const QString& words);
   void notice(const QString& words);
 

@@ -88,8 +88,9 @@ Message sentence(const Notice& notice) {
       return say("copied from the mirror image, from which the surface around is %1 diameters away", digits);
     case NoticeCode::mirror_misfit:
       return say(
-          "not copied from the mirror image, from which the surface around is %1 diameters away; from a quadric it is "
-          "%2",
+          "not copied from the mirror image, from which the surface around is %1 diameters away: more than 0.02, or "
+          "than "
+          "a tenth of its distance from a quadric, %2",
           digits, more);
     case NoticeCode::mirror_no_symmetry:
       return say(

@@ -58,6 +58,11 @@ bool has_counted(RepairDialog* dialog) {
   return wait_until([&] { return counted(dialog, "Fragments") != QStringLiteral("\u2026"); }, 3 * minutes);
 }
 
+/// Where many new holes, or lost patches, are asked about.
+void apply_repair(QDialog& question) {
+  if (auto* apply = question.findChild<QPushButton*>(QStringLiteral("repairApply"))) apply->click();
+}
+
 void fix(RepairDialog* dialog, const char* button) { dialog->findChild<QPushButton*>(QLatin1String(button))->click(); }
 
 /// Fills the first hole and exports into the file what the dialog offers. @param choose  sets what a person would
@@ -306,14 +311,20 @@ void RepairTest::fix_all_leaves_nothing_to_fix() {
   Shown window({scan});
   RepairDialog* dialog = repair_dialog(window);
   QVERIFY(dialog && has_counted(dialog));
-  fix(dialog, "repairAll");
-  QVERIFY(wait_idle(window) && has_counted(dialog));
+  const int before = window.document().scans().front();
+  const auto is_replaced = [&] { return window.document().scans().front() != before; };
+  {
+    const WhenAsked asked(apply_repair);
+    fix(dialog, "repairAll");
+    QVERIFY(wait_until(is_replaced, 3 * minutes) && wait_idle(window) && has_counted(dialog));
+  }
   for (const char* kind : {"Coincident", "Degenerate", "Duplicate", "Intersecting", "NonManifold", "Fragments"})
     QCOMPARE(counted(dialog, kind), QStringLiteral("none"));
   QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled());
   QCOMPARE(counted(dialog, "Handles").toInt() > 0, has_handles);  // they may be real
+  const WhenAsked asked(apply_repair);
   if (has_handles) fix(dialog, "fixHandles");
-  QVERIFY(wait_idle(window) && has_counted(dialog));
+  QVERIFY(wait_idle(window) && settle() && has_counted(dialog));
   QCOMPARE(counted(dialog, "Handles"), QStringLiteral("none"));
   dialog->close();
 }
@@ -329,8 +340,11 @@ void RepairTest::doll_becomes_printable() {
   QVERIFY(verdict(window).startsWith(QStringLiteral("Not watertight")));
   RepairDialog* dialog = repair_dialog(window);
   QVERIFY(dialog && has_counted(dialog));
-  fix(dialog, "repairAll");
-  QVERIFY(wait_idle(window));
+  {
+    const WhenAsked asked(apply_repair);
+    fix(dialog, "repairAll");
+    QVERIFY(wait_idle(window) && settle());
+  }
   dialog->close();
   QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY(verdict_is_known(window));

@@ -169,6 +169,9 @@ void doll(const QDir& scans, const QDir& pictures, const QString&) {
   auto* dialog = story.window().findChild<RepairDialog*>();
   wait_until([&] { return dialog->findChild<QPushButton*>(QStringLiteral("repairAll"))->isEnabled(); }, patience);
   story.tell("Repair is open");
+  const WhenAsked asked([](QDialog& question) {  // where many holes would be made
+    if (auto* apply = question.findChild<QPushButton*>(QStringLiteral("repairApply"))) apply->click();
+  });
   QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("repairAll")), Qt::LeftButton);
   story.idle();
   story.tell("all fixed");
