@@ -91,8 +91,7 @@ class AskingTest : public QObject {
 };
 
 void AskingTest::the_wheel_scrolls_panels_at_once() {
-  Shown shown({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6)});
-  MainWindow& window = shown.window;
+  Shown window({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6)});
   window.resize(1300, 600);
   window.tools().take(Tool::blend);
   for (const auto& [dock, panel] : {std::pair{"toolsDock", "toolsPanel"}, {"patchDock", "patchPanel"}}) {
@@ -111,8 +110,7 @@ void AskingTest::the_wheel_scrolls_panels_at_once() {
 }
 
 void AskingTest::what_decides_on_a_patch_is_seen_at_once() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.resize(1360, 860);
   settle();
   for (const char* name : {"accept", "reject", "otherPatches"}) {
@@ -122,8 +120,7 @@ void AskingTest::what_decides_on_a_patch_is_seen_at_once() {
 }
 
 void AskingTest::patches_do_not_go_without_a_question() {
-  Shown shown({scan_file(folder_, QStringLiteral("twice.ply"), ball_with_a_defect())});
-  MainWindow& window = shown.window;
+  Shown window({scan_file(folder_, QStringLiteral("twice.ply"), ball_with_a_defect())});
   const Document& document = window.document();
   press(window, "fill");
   QVERIFY(wait_idle(window));
@@ -175,8 +172,7 @@ void AskingTest::many_new_holes_are_asked_about() {
     for (const Vec3& p : {Vec3(x, y, -1), Vec3(x + 0.2, y, 1), Vec3(x, y + 0.2, 1)}) sheet.points.push_back(p);
     sheet.triangles.push_back({first, first + 1, first + 2});
   }
-  Shown shown({scan_file(folder_, QStringLiteral("spikes.ply"), sheet)});
-  MainWindow& window = shown.window;
+  Shown window({scan_file(folder_, QStringLiteral("spikes.ply"), sheet)});
   press(window, "repair");
   auto* dialog = window.findChild<RepairDialog*>();
   auto* cut_out = dialog->findChild<QPushButton*>(QStringLiteral("fixIntersecting"));
@@ -199,8 +195,7 @@ void AskingTest::many_new_holes_are_asked_about() {
 }
 
 void AskingTest::facts_of_the_former_scan_go_with_its_picture() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Document& document = window.document();
   press(window, "fill");
   QVERIFY(wait_idle(window));
@@ -237,8 +232,7 @@ void AskingTest::facts_of_the_former_scan_go_with_its_picture() {
 }
 
 void AskingTest::a_session_is_no_title_of_another_scan() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   press(window, "fill");
   QVERIFY(wait_idle(window));
   window.controller().save_session(folder_.filePath(QStringLiteral("mine.loopmend")));
@@ -250,8 +244,7 @@ void AskingTest::a_session_is_no_title_of_another_scan() {
 }
 
 void AskingTest::the_result_of_a_tool_is_not_dropped_without_a_question() {
-  Shown shown({scan_file(folder_, QStringLiteral("bumps.ply"), make_icosphere(3))});
-  MainWindow& window = shown.window;
+  Shown window({scan_file(folder_, QStringLiteral("bumps.ply"), make_icosphere(3))});
   key(window, Qt::Key_R);
   std::vector<int> top;
   const Points& points = window.document().first_scan().model->soup.points;
@@ -276,8 +269,7 @@ void AskingTest::the_result_of_a_tool_is_not_dropped_without_a_question() {
 }
 
 void AskingTest::nothing_is_said_of_what_was_not_judged() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   window.selection().select({hole});
   press(window, "fill");
@@ -293,8 +285,7 @@ void AskingTest::nothing_is_said_of_what_was_not_judged() {
 }
 
 void AskingTest::what_could_not_be_filled_is_told_while_it_is_true() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   auto* banner = window.findChild<Banner*>();
   press(window, "fill");
   QVERIFY(wait_idle(window));
@@ -312,8 +303,7 @@ void AskingTest::what_could_not_be_filled_is_told_while_it_is_true() {
 void AskingTest::the_eye_goes_to_the_largest_hole() {
   const TriangleSoup soup =
       cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.8 || (p - Vec3(0, 0, -1)).norm() < 0.1; });
-  Shown shown({scan_file(folder_, QStringLiteral("two_holes.ply"), soup)});
-  MainWindow& window = shown.window;
+  Shown window({scan_file(folder_, QStringLiteral("two_holes.ply"), soup)});
   const Document& document = window.document();
   QCOMPARE(document.loop_count(), 2);
   const int large = document.loop(0).diameter > document.loop(1).diameter ? 0 : 1;
@@ -330,8 +320,7 @@ void AskingTest::the_eye_goes_to_the_largest_hole() {
 }
 
 void AskingTest::flows_are_compared_in_one_window() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   window.selection().select({first_hole(window.document())});
   CompareWindow* first = window.comparisons().compare_holes({});
   QVERIFY(first);
@@ -354,8 +343,7 @@ void AskingTest::one_truth_about_faces_that_touch() {
 }
 
 void AskingTest::the_mirror_speaks_of_the_selection() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   window.selection().select({hole});
   press(window, "fill");
@@ -372,8 +360,7 @@ void AskingTest::loops_that_are_left_out_are_counted_alike() {
   const Triangle t = soup.triangles[soup.triangles.size() / 2];
   soup.points.push_back(1.5 * soup.points[static_cast<std::size_t>(t[0])]);
   soup.triangles.push_back({t[0], t[1], static_cast<int>(soup.points.size()) - 1});
-  Shown shown({scan_file(folder_, QStringLiteral("fin.ply"), soup)});
-  MainWindow& window = shown.window;
+  Shown window({scan_file(folder_, QStringLiteral("fin.ply"), soup)});
   const Document& document = window.document();
   press(window, "fill");
   QVERIFY(wait_idle(window));

@@ -84,8 +84,7 @@ class NavigationTest : public QObject {
 };
 
 void NavigationTest::the_up_axis_is_up_in_every_view() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const std::pair<const char*, Vec3> axes[] = {
       {"upX", Vec3::UnitX()}, {"upMinusX", -Vec3::UnitX()}, {"upY", Vec3::UnitY()},      {"upMinusY", -Vec3::UnitY()},
       {"upZ", Vec3::UnitZ()}, {"upMinusZ", -Vec3::UnitZ()}, {"upByShape", Vec3::UnitY()}};
@@ -115,30 +114,29 @@ void NavigationTest::the_up_axis_is_up_in_every_view() {
 void NavigationTest::the_up_axis_is_kept() {
   const QString path = sample_file(folder_), session = folder_.filePath(QStringLiteral("turned.loopmend"));
   {
-    Shown shown({path});
-    trigger(shown.window, "upMinusZ");
-    shown.window.controller().save_session(session);
+    Shown window({path});
+    trigger(shown, "upMinusZ");
+    shown.controller().save_session(session);
     QVERIFY(wait_idle(shown.window));
-    shown.window.keep_layout();
+    shown.keep_layout();
   }
   QVERIFY(load_look().up == UpAxis::minus_z);
   {
     Shown shown;
-    shown.window.restore_layout();
-    shown.window.open(path);
-    QVERIFY(wait_until([&] { return shown.window.document().has_scan(); }) && wait_idle(shown.window));
-    QVERIFY(near(shown.window.view().up(), -Vec3::UnitZ()));
+    shown.restore_layout();
+    shown.open(path);
+    QVERIFY(wait_until([&] { return shown.document().has_scan(); }) && wait_idle(shown.window));
+    QVERIFY(near(shown.view().up(), -Vec3::UnitZ()));
   }
   save_look({});
   Shown shown({path});
-  QVERIFY(near(shown.window.view().up(), Vec3::UnitY()));
-  shown.window.open(session);
-  QVERIFY(wait_until([&] { return near(shown.window.view().up(), -Vec3::UnitZ()); }));
+  QVERIFY(near(shown.view().up(), Vec3::UnitY()));
+  shown.open(session);
+  QVERIFY(wait_until([&] { return near(shown.view().up(), -Vec3::UnitZ()); }));
 }
 
 void NavigationTest::a_click_on_the_cube_shows_that_side() {
   Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
   auto* cube = window.findChild<ViewCube*>();
   QVERIFY(cube && cube->isVisible());
   trigger(window, "upMinusY");
@@ -167,8 +165,7 @@ void NavigationTest::a_click_on_the_cube_shows_that_side() {
 }
 
 void NavigationTest::the_cube_stays_clear_of_note_and_legend() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   auto* cube = window.findChild<ViewCube*>();
   auto* note = window.findChild<QWidget*>(QStringLiteral("hiddenNote"));
   trigger(window, "frame");
@@ -199,8 +196,7 @@ void NavigationTest::each_style_does_what_its_table_says() {
   QFETCH(int, style);
   const auto wanted = static_cast<NavigationStyle>(style);
   const char* const actions[] = {"navigateLoopmend", "navigateBlender", "navigateMeshLab", "navigateCad"};
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   trigger(window, actions[style]);
   QVERIFY(load_navigation() == wanted);
   for (Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton, Qt::RightButton})
@@ -226,8 +222,7 @@ void NavigationTest::each_style_does_what_its_table_says() {
 }
 
 void NavigationTest::blender_turns_about_the_up_axis() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   trigger(window, "navigateBlender");
   trigger(window, "upZ");
   trigger(window, "lookFront");
@@ -246,8 +241,7 @@ void NavigationTest::blender_turns_about_the_up_axis() {
 }
 
 void NavigationTest::clicks_select_in_every_style() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const int hole = first_hole(window.document());
   QVERIFY(fly(window, hole));
   for (const char* style : {"navigateBlender", "navigateMeshLab", "navigateCad", "navigateLoopmend"}) {
@@ -261,8 +255,7 @@ void NavigationTest::clicks_select_in_every_style() {
 }
 
 void NavigationTest::tools_keep_the_left_button_in_every_style() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   trigger(window, "lookFront");
   trigger(window, "toolRegionAction");
   settle();
@@ -281,9 +274,9 @@ void NavigationTest::tools_keep_the_left_button_in_every_style() {
 
 void NavigationTest::the_sheet_names_every_drag() {
   Shown shown({sample_file(folder_)});
-  trigger(shown.window, "navigationSheet");
+  trigger(shown, "navigationSheet");
   QPointer<NavigationSheet> sheet;
-  QVERIFY(wait_until([&] { return (sheet = shown.window.findChild<NavigationSheet*>()) && sheet->isVisible(); }));
+  QVERIFY(wait_until([&] { return (sheet = shown.findChild<NavigationSheet*>()) && sheet->isVisible(); }));
   QStringList texts;
   for (const QLabel* label : sheet->findChildren<QLabel*>()) texts << label->text();
   for (NavigationStyle style : all_navigation_styles)

@@ -66,8 +66,7 @@ class PlayerTest : public QObject {
 };
 
 void PlayerTest::every_state_is_shown_in_its_order() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Flow flow(window);
   QVERIFY(flow.ready);
   QCOMPARE(flow.place(), flow.states() - 1);
@@ -94,8 +93,7 @@ void PlayerTest::every_state_is_shown_in_its_order() {
 }
 
 void PlayerTest::the_pace_is_what_it_says() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Flow flow(window);
   QVERIFY(flow.ready);
   for (const double pace : {4.0, 16.0}) {
@@ -112,8 +110,7 @@ void PlayerTest::the_pace_is_what_it_says() {
 }
 
 void PlayerTest::a_pause_is_one_change_for_undo() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Flow flow(window);
   QVERIFY(flow.ready);
   const PatchStatePtr last = flow.patch().state;
@@ -139,8 +136,7 @@ void PlayerTest::a_pause_is_one_change_for_undo() {
 }
 
 void PlayerTest::space_and_escape_pause() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Flow flow(window);
   QVERIFY(flow.ready);
   const TimelinePtr recorded = flow.patch().timeline;
@@ -161,8 +157,7 @@ void PlayerTest::space_and_escape_pause() {
 }
 
 void PlayerTest::it_goes_on_again_and_again_until_something_else_is_done() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Flow flow(window);
   QVERIFY(flow.ready);
   choose_pace(window, 16);
@@ -185,8 +180,7 @@ void PlayerTest::it_goes_on_again_and_again_until_something_else_is_done() {
 }
 
 void PlayerTest::the_next_state_comes_by_a_key() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   const Flow flow(window);
   QVERIFY(flow.ready);
   key(window, Qt::Key_Period);
@@ -198,8 +192,7 @@ void PlayerTest::the_next_state_comes_by_a_key() {
 }
 
 void PlayerTest::there_is_nothing_to_play_without_states() {
-  Shown shown({sample_file(folder_)});
-  MainWindow& window = shown.window;
+  Shown window({sample_file(folder_)});
   for (const char* name : {"playAction", "nextStateAction"})
     QVERIFY2(!window.findChild<QAction*>(QLatin1String(name))->isEnabled(), name);
   window.selection().select({first_hole(window.document())});
