@@ -52,6 +52,11 @@ bool is_across(const LoopFacing& from, const Vec3& to) {
   return from.onward.dot(way) > looks_at * from.onward.norm() * way.norm();
 }
 
+/// Of loops of about one size, so near that --stitch joins them.
+bool are_sides_of_a_crack(const BoundaryLoop& loop, double apart) {
+  return apart < narrowest_gap * loop.perimeter / loop.edges();
+}
+
 /// Ends of tubes, the nearest first.
 void add_tubes(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const CancelToken& cancel,
                std::set<int>& taken, std::vector<RimPair>& pairs) {
@@ -67,10 +72,9 @@ void add_tubes(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops
     for (std::size_t j = i + 1; ends[i] && j < loops.size(); ++j) {  // by falling perimeter
       if (loops[j].perimeter < alike * loops[i].perimeter) break;
       const double apart = (loops[i].center - loops[j].center).norm();
-      const double edge = loops[i].perimeter / loops[i].edges();
-      if (ends[j] && apart > narrowest_gap * edge &&
-          apart < most_apart_of_tubes * std::max(loops[i].diameter, loops[j].diameter) &&
-          is_across(*ends[i], loops[j].center) && is_across(*ends[j], loops[i].center))
+      if (ends[j] && apart < most_apart_of_tubes * std::max(loops[i].diameter, loops[j].diameter) &&
+          (are_sides_of_a_crack(loops[i], apart) ||
+           (is_across(*ends[i], loops[j].center) && is_across(*ends[j], loops[i].center))))
         near.emplace_back(apart, static_cast<int>(i), static_cast<int>(j));
     }
   std::sort(near.begin(), near.end());
@@ -78,6 +82,10 @@ void add_tubes(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops
   std::set<int> seen = taken;
   for (const auto& [apart, i, j] : near) {
     if (seen.contains(i) || seen.contains(j)) continue;
+    if (are_sides_of_a_crack(loops[static_cast<std::size_t>(i)], apart)) {
+      seen.insert({i, j});
+      continue;
+    }
     const std::vector<BoundaryLoop> both{loops[static_cast<std::size_t>(i)], loops[static_cast<std::size_t>(j)]};
     if (both[0].edges() + both[1].edges() > most_edges_tried || ++tried > most_tubes_tried) continue;
     seen.insert({i, j});
