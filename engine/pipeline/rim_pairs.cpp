@@ -4,6 +4,7 @@
 #include "core/quantile.h"
 #include "filling/bridge_loops.h"
 #include "mesh/loop_facing.h"
+#include "repair/stitch_boundaries.h"
 
 #include <Eigen/Geometry>
 
@@ -77,9 +78,13 @@ void add_tubes(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops
            (is_across(*ends[i], loops[j].center) && is_across(*ends[j], loops[i].center))))
         near.emplace_back(apart, static_cast<int>(i), static_cast<int>(j));
     }
+  if (near.empty()) return;
   std::sort(near.begin(), near.end());
   int tried = 0;
   std::set<int> seen = taken;
+  const NearBoundaries sides = near_boundaries(model);  // a rim that --stitch closes along half of it is no end
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (ends[k] && 2 * closing_edges(model, loops[k], sides) > loops[k].edges()) seen.insert(static_cast<int>(k));
   for (const auto& [apart, i, j] : near) {
     if (seen.contains(i) || seen.contains(j)) continue;
     if (are_sides_of_a_crack(loops[static_cast<std::size_t>(i)], apart)) {
