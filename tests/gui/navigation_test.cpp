@@ -114,10 +114,10 @@ void NavigationTest::the_up_axis_is_up_in_every_view() {
 void NavigationTest::the_up_axis_is_kept() {
   const QString path = sample_file(folder_), session = folder_.filePath(QStringLiteral("turned.loopmend"));
   {
-    Shown window({path});
+    Shown shown({path});
     trigger(shown, "upMinusZ");
     shown.controller().save_session(session);
-    QVERIFY(wait_idle(shown.window));
+    QVERIFY(wait_idle(shown));
     shown.keep_layout();
   }
   QVERIFY(load_look().up == UpAxis::minus_z);
@@ -125,7 +125,7 @@ void NavigationTest::the_up_axis_is_kept() {
     Shown shown;
     shown.restore_layout();
     shown.open(path);
-    QVERIFY(wait_until([&] { return shown.document().has_scan(); }) && wait_idle(shown.window));
+    QVERIFY(wait_until([&] { return shown.document().has_scan(); }) && wait_idle(shown));
     QVERIFY(near(shown.view().up(), -Vec3::UnitZ()));
   }
   save_look({});
@@ -136,7 +136,7 @@ void NavigationTest::the_up_axis_is_kept() {
 }
 
 void NavigationTest::a_click_on_the_cube_shows_that_side() {
-  Shown shown({sample_file(folder_)});
+  Shown window({sample_file(folder_)});
   auto* cube = window.findChild<ViewCube*>();
   QVERIFY(cube && cube->isVisible());
   trigger(window, "upMinusY");
