@@ -65,7 +65,7 @@ DecisionBox::DecisionBox(const Document& document, const HoleSelection& selectio
 void DecisionBox::build() {
   auto* grid = new QGridLayout(this);
   grid->setHorizontalSpacing(10);
-  grid->setVerticalSpacing(6);
+  grid->setVerticalSpacing(4);
   timeline_ = new QSlider(Qt::Horizontal);
   timeline_->setPageStep(1);
   explain(timeline_, "timeline", tr("Timeline"),

@@ -51,7 +51,7 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
 void FillBox::build() {
   auto* grid = new QGridLayout(this);
   grid->setHorizontalSpacing(10);
-  grid->setVerticalSpacing(6);
+  grid->setVerticalSpacing(4);
   target_ = make_note("fillTarget");
   estimate_ = make_note("fillEstimate");
   estimate_->keep_room_for({QStringLiteral("1\n2")});
@@ -95,7 +95,11 @@ void FillBox::build() {
   QSizePolicy keep = estimate_->sizePolicy();
   keep.setRetainSizeWhenHidden(true);  // nothing moves under the mouse
   estimate_->setSizePolicy(keep);
-  grid->addWidget(target_, 0, 0, 1, 3);
+  auto* more = new QWidget;
+  auto* head = new QHBoxLayout;  // one row less: what decides on a patch is seen without scrolling
+  head->addWidget(target_, 1);
+  head->addWidget(make_fold("moreOfFill", tr("More options"), more), 0, Qt::AlignTop);
+  grid->addLayout(head, 0, 0, 1, 3);
   grid->addWidget(estimate_, 1, 0, 1, 3);
   auto* fills = new QHBoxLayout;
   fills->addWidget(whole_, 1);
@@ -104,14 +108,12 @@ void FillBox::build() {
   auto* repairs = new QHBoxLayout;
   for (QPushButton* button : {trim_, stitch_, repair_}) repairs->addWidget(button);
   grid->addLayout(repairs, 4, 0, 1, 3);
-  auto* more = new QWidget;
   auto* rest = make_layout<QGridLayout>(more);
   rest->addWidget(density_label, 0, 0);
   rest->addWidget(density_, 0, 1);
   rest->addWidget(preview_, 0, 2);
   rest->addWidget(islands_, 1, 0, 1, 3);
   rest->setColumnStretch(1, 1);
-  grid->addWidget(make_fold("moreOfFill", tr("More options"), more), 5, 0, 1, 3);
   grid->addWidget(more, 6, 0, 1, 3);
   grid->setColumnStretch(1, 1);
 }

@@ -10,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -44,7 +45,7 @@ FlowBox::FlowBox(const Document& document, const HoleSelection& selection, FillC
 void FlowBox::build() {
   auto* grid = new QGridLayout(this);
   grid->setHorizontalSpacing(10);
-  grid->setVerticalSpacing(6);
+  grid->setVerticalSpacing(4);
   target_ = make_note("flowTarget");
   flow_ = make_flow_choice("flow", tr("Which geometric flow moves the patch, and so how far the seam is matched"));
   help_ = make_note("flowHelp");
@@ -81,11 +82,14 @@ void FlowBox::build() {
   run_ = make_button("run", tr("Run"), tr("The same as Smooth, every step shown for a moment; again: pause (Space)"));
   compare_ = make_button("compareFlows", tr("Compare flows\u2026"),
                          tr("Two to four flows from one start, side by side, in a window of their own (C)"));
-  grid->addWidget(target_, 0, 0, 1, 2);
+  auto* more = new QWidget;
+  auto* head = new QHBoxLayout;
+  head->addWidget(target_, 1);
+  head->addWidget(make_fold("moreOfFlow", tr("More options"), more), 0, Qt::AlignTop);
+  grid->addLayout(head, 0, 0, 1, 2);
   grid->addWidget(flow_, 1, 0, 1, 2);
   grid->addWidget(run_, 2, 0);
   grid->addWidget(compare_, 2, 1);
-  auto* more = new QWidget;
   auto* rest = make_layout<QGridLayout>(more);
   rest->addWidget(help_, 0, 0, 1, 2);
   rest->addWidget(boundary_label, 1, 0);
@@ -100,7 +104,6 @@ void FlowBox::build() {
   rest->addWidget(step_, 5, 1);
   rest->setColumnStretch(0, 1);
   rest->setColumnStretch(1, 1);
-  grid->addWidget(make_fold("moreOfFlow", tr("More options"), more), 3, 0, 1, 2);
   grid->addWidget(more, 4, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);

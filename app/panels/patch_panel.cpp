@@ -45,7 +45,7 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 8);
-  layout->setSpacing(8);
+  layout->setSpacing(4);
   layout->addWidget(fill_);
   layout->addWidget(flow_);
   layout->addWidget(decision_);

@@ -32,6 +32,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include <cmath>
+
 using namespace loopmend;
 using namespace loopmend::testing;
 
@@ -59,6 +61,9 @@ QString words_of(QDialog& question) {
   const auto& box = static_cast<QMessageBox&>(question);
   return box.text() + QLatin1Char(' ') + box.informativeText();
 }
+
+/// What was closed or answered is gone.
+void bury() { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
 
 bool is_asked(MainWindow& window, const char* answer) {
   auto* button = window.findChild<QPushButton*>(QLatin1String(answer));
@@ -101,7 +106,7 @@ void AskingTest::the_wheel_scrolls_panels_at_once() {
     auto* area = qobject_cast<QScrollArea*>(part);
     if (!area) area = part->findChild<QScrollArea*>();
     QVERIFY2(area->verticalScrollBar()->maximum() > 0, panel);
-    turn_wheel(area->widget());
+    turn_wheel(area->viewport());
     QVERIFY2(area->verticalScrollBar()->value() > 0, panel);
   }
   auto* table = window.findChild<QTableView*>(QStringLiteral("holesTable"));
@@ -154,25 +159,26 @@ void AskingTest::patches_do_not_go_without_a_question() {
   QCOMPARE(document.patches().size(), std::size_t{1});
 }
 
-/// A comb of thin plates through a ball: cut out, each plate leaves its slit.
+/// Two sheets, of which one dips through the other at sixteen places.
 void AskingTest::many_new_holes_are_asked_about() {
   TriangleSoup sheet;
   constexpr int across = 40;
-  for (int j = 0; j <= across; ++j)
-    for (int i = 0; i <= across; ++i) sheet.points.emplace_back(i, j, 0);
-  const auto at = [](int i, int j) { return j * (across + 1) + i; };
-  for (int j = 0; j < across; ++j)
-    for (int i = 0; i < across; ++i) {
-      sheet.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      sheet.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  for (int k = 0; k < 16; ++k) {  // spikes through it
-    const double x = 5.3 + 10 * (k % 4), y = 5.4 + 10 * (k / 4);
+  for (const bool dips : {false, true}) {
     const int first = static_cast<int>(sheet.points.size());
-    for (const Vec3& p : {Vec3(x, y, -1), Vec3(x + 0.2, y, 1), Vec3(x, y + 0.2, 1)}) sheet.points.push_back(p);
-    sheet.triangles.push_back({first, first + 1, first + 2});
+    for (int j = 0; j <= across; ++j)
+      for (int i = 0; i <= across; ++i) {
+        const double x = i + (dips ? 0.03 : 0), y = j + (dips ? 0.04 : 0);
+        const double dx = std::fmod(x, 10) - 5.2, dy = std::fmod(y, 10) - 5.3;
+        sheet.points.emplace_back(x, y, dips ? 1 - 2 * std::exp(-(dx * dx + dy * dy) / 3) : 0);
+      }
+    const auto at = [&](int i, int j) { return first + j * (across + 1) + i; };
+    for (int j = 0; j < across; ++j)
+      for (int i = 0; i < across; ++i) {
+        sheet.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        sheet.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
   }
-  Shown window({scan_file(folder_, QStringLiteral("spikes.ply"), sheet)});
+  Shown window({scan_file(folder_, QStringLiteral("dips.ply"), sheet)});
   press(window, "repair");
   auto* dialog = window.findChild<RepairDialog*>();
   auto* cut_out = dialog->findChild<QPushButton*>(QStringLiteral("fixIntersecting"));
@@ -260,6 +266,7 @@ void AskingTest::the_result_of_a_tool_is_not_dropped_without_a_question() {
   QVERIFY(solved() && window.tools().panel()->tool() == Tool::region);
   QVERIFY(window.findChild<QPushButton*>(QStringLiteral("toolRegion"))->isChecked());
   press(window, "answerCancel");
+  bury();
   QVERIFY(solved());
   key(window, Qt::Key_Escape);
   QVERIFY(is_asked(window, "answerAccept") && solved());
@@ -326,7 +333,8 @@ void AskingTest::flows_are_compared_in_one_window() {
   QVERIFY(first);
   QCOMPARE(window.comparisons().compare_holes({}), first);
   first->close();
-  QVERIFY(wait_until([&] { return window.findChildren<CompareWindow*>().isEmpty(); }));
+  bury();
+  QVERIFY(window.findChildren<CompareWindow*>().isEmpty());
   CompareWindow* again = window.comparisons().compare_holes({});
   QVERIFY(again);
   again->close();
