@@ -38,7 +38,7 @@ const OpenedScan& Document::first_scan() const {
   return *std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.scan != nullptr; })->scan;
 }
 
-bool Document::present(int loop) const { return slots_[scan_of(loop)].scan != nullptr; }
+bool Document::present(int loop) const { return loop < loop_count() && slots_[scan_of(loop)].scan != nullptr; }
 
 const OpenPatch* Document::patch(int id) const {
   const auto it = patch_by_id_.find(id);

@@ -53,6 +53,7 @@ void FillBox::build() {
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(4);
   target_ = make_note("fillTarget");
+  target_->keep_room_for({QStringLiteral("1\n2")});
   estimate_ = make_note("fillEstimate");
   estimate_->keep_room_for({QStringLiteral("1\n2")});
   density_ = new QDoubleSpinBox;

@@ -55,7 +55,7 @@ class FillBox : public QGroupBox {
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
-  QLabel* target_ = nullptr;
+  QuietLabel* target_ = nullptr;
   QuietLabel* estimate_ = nullptr;
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;

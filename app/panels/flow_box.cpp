@@ -47,6 +47,7 @@ void FlowBox::build() {
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(4);
   target_ = make_note("flowTarget");
+  target_->keep_room_for({QStringLiteral("1\n2")});  // nothing moves under the mouse
   flow_ = make_flow_choice("flow", tr("Which geometric flow moves the patch, and so how far the seam is matched"));
   help_ = make_note("flowHelp");
   help_->keep_room_for({labels::flow_help(FlowKind::mcf), labels::flow_help(FlowKind::sdf),

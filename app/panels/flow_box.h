@@ -41,7 +41,8 @@ class FlowBox : public QGroupBox {
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
-  QLabel *target_ = nullptr, *sigma_value_ = nullptr;
+  QuietLabel* target_ = nullptr;
+  QLabel* sigma_value_ = nullptr;
   QuietLabel* help_ = nullptr;
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
   QCheckBox *relief_ = nullptr, *edges_ = nullptr;

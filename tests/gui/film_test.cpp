@@ -24,6 +24,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include <algorithm>
 #include <fstream>
@@ -185,6 +186,7 @@ void FilmTest::the_window_writes_the_flow() {
   QVERIFY(share_changed(film.pictures.front(), film.pictures.back()) > 0.002);  // the patch moved
   QVERIFY(count_colors(film.pictures.back()) >= 64);
   QVERIFY(film.delays.back() >= 2000);
+  QTest::mouseClick(part<QToolButton>(window, "bannerClose"), Qt::LeftButton);  // the legend makes room for it
   QVERIFY(settle());
   QVERIFY(share_changed(before, window.view().picture()) < 0.001);  // the view is what it was
 }

@@ -78,9 +78,9 @@ class Story {
     auto* table = part<QTableView>(window(), "holesTable");
     for (int row = 0; row < table->model()->rowCount(); ++row)
       if (table->model()->index(row, 0).data().toInt() == number) {
-        table->scrollTo(table->model()->index(row, 1));
+        table->scrollTo(table->model()->index(row, 0));
         QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
-                          table->visualRect(table->model()->index(row, 1)).center());
+                          table->visualRect(table->model()->index(row, 0)).center());
       }
     linger(100);
   }

@@ -200,7 +200,7 @@ void WordsTest::shift_end_extends() {
   auto* table = part<QTableView>(window, "holesTable");
   const int rows = table->model()->rowCount();
   QVERIFY(rows >= 9);
-  const auto in_row = [&](int row) { return table->visualRect(table->model()->index(row, 1)).center(); };
+  const auto in_row = [&](int row) { return table->visualRect(table->model()->index(row, 0)).center(); };
   const auto selected_rows = [&] {
     QList<int> result;
     for (const QModelIndex& index : table->selectionModel()->selectedRows()) result << index.row();
