@@ -169,7 +169,7 @@ void NavigationTest::the_cube_stays_clear_of_note_and_legend() {
   auto* cube = window.findChild<ViewCube*>();
   auto* note = window.findChild<QWidget*>(QStringLiteral("hiddenNote"));
   trigger(window, "frame");
-  QTest::mouseMove(window.view().canvas(), window.view().canvas()->rect().center());
+  window.selection().select({first_hole(window.document())});
   trigger(window, "hidePiece");
   QVERIFY(wait_until([&] { return note->isVisible(); }));
   QVERIFY(!note->geometry().intersects(cube->geometry()));
