@@ -27,6 +27,20 @@ TEST(Document, KnowsTheLoopsOfItsScans) {
   EXPECT_EQ(document.loop_count(), 6) << "indices stay";
 }
 
+/// A selection may still name the loops of a scene that was set aside.
+TEST(Document, HasNoLoopsWhileTheyAreSetAside) {
+  SheetDocument document;
+  add_patch(document, {square}, state_at(PatchStatus::filled));
+  document.set_aside();
+  EXPECT_FALSE(document.has_scan());
+  EXPECT_FALSE(document.present(square));
+  EXPECT_FALSE(document.fillable(square));
+  EXPECT_EQ(document.patch_of(square), nullptr);
+  document.bring_back();
+  EXPECT_TRUE(document.present(square));
+  EXPECT_EQ(document.state(square), HoleState::filled);
+}
+
 TEST(Document, TellsTheStateOfEveryLoop) {
   SheetDocument document;
   EXPECT_EQ(document.state(boundary), HoleState::left_out);
