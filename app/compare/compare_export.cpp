@@ -18,6 +18,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QPainter>
+#include <QStackedWidget>
 
 namespace loopmend {
 namespace {

@@ -2,6 +2,7 @@
 #include "jobs/autosave.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
