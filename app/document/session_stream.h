@@ -18,7 +18,7 @@
 
 namespace loopmend {
 
-/// A thing or a constant one: what is written and what is read are named by the same function (session_patch.cpp).
+/// A Thing, constant or not: one function names the fields for writing and for reading (session_patch.cpp).
 template <class T, class Thing>
 concept Is = std::same_as<std::remove_const_t<T>, Thing>;
 

@@ -77,7 +77,7 @@ void DecisionBox::build() {
   reject_ = make_button("reject", tr("Discard"), tr("Throw this patch away; the hole is open again (Delete)"));
   copy_ = make_button("copyCommand", tr("Copy command line"),
                       tr("Copy the commands that fill these holes in just this way, for a terminal or a script"));
-  // What is pressed for each patch first: it is seen without scrolling.
+  // The buttons for every patch come first: a person sees them without scrolling.
   grid->addWidget(accept_, 0, 0);
   grid->addWidget(reject_, 0, 1);
   auto* seam = make_button("showSeam", tr("Seam and plots"),

@@ -25,7 +25,7 @@ class PlayerBar : public QWidget {
   void pause();
   /// One state further; after the last one, the first.
   void next();
-  /// Follows the slider: what is disabled cannot be played.
+  /// Follows the slider: a disabled one cannot be played.
   void update_state();
 
  protected:

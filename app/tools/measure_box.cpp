@@ -27,7 +27,7 @@ MeasureBox::MeasureBox(const Document& document, MeasureTool& tool, QWidget* par
       copy_(make_button("measureCopy", tr("Copy"), tr("Copy the distance to the clipboard"))) {
   auto* hint = make_note("measureHint", tr("Click two points of a surface: the nearest vertices are taken. Drag beside "
                                            "the surface, or with Shift, to turn "
-                                           "the picture. Esc begins anew."));
+                                           "the picture. Esc starts again."));
   distance_->setObjectName(QStringLiteral("measureDistance"));
   distance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   distance_->setAccessibleName(tr("Distance"));

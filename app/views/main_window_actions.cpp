@@ -186,7 +186,7 @@ void MainWindow::connect_patch_actions() {
   a.on("cancelAction", this, &MainWindow::step_back);
 }
 
-/// What could not be filled is told until the next fill, or until it is true no more.
+/// Names the holes that could not be filled, until the next fill or until one of them is filled or gone.
 void MainWindow::connect_problems() {
   connect(&controller_, &FillController::left_open, this, [this](const QString& words) {
     left_open_ = words;

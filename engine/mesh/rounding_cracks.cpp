@@ -40,7 +40,7 @@ bool is_of_single_precision(const Vec3& p) {
   });
 }
 
-/// Whether only the last places tell the coordinates apart. @param otherwise  by how much they may differ all the same
+/// Whether the coordinates differ in their last digits alone. @param otherwise  distance that is allowed in any case, mesh units
 bool are_one_place(const Vec3& p, const Vec3& q, double otherwise) {
   for (int k = 0; k < 3; ++k) {
     const double unit = std::max(unit_in_last_place(p[k]), unit_in_last_place(q[k]));

@@ -283,7 +283,7 @@ std::optional<RimPair> find_gap(const SurfaceModel& model, const BoundaryLoop& a
     length += (own.points[own.next(edge)] - own.points[edge]).norm();
   }
   RimPair gap{{0, 1}, RimPair::Kind::gap, median(in_run)};
-  // What is narrower --stitch joins.
+  // --stitch joins narrower ones.
   if (gap.width < narrowest_gap * length / static_cast<double>(count)) return std::nullopt;
   if (length < shortest_gap * std::min(a.diameter, b.diameter)) return std::nullopt;
   if (gap.width > longest_gap_edge * length || gap.width > widest_gap * std::min(a.diameter, b.diameter))

@@ -39,7 +39,7 @@ using namespace loopmend::testing;
 
 namespace {
 
-/// As the system sends it: to what is under the mouse, and on to its parents.
+/// As the system sends it: to the widget under the mouse, then to its parents.
 void turn_wheel(QWidget* over) {
   const QPointF at = over->rect().center();
   QWheelEvent wheel(at, over->mapToGlobal(at.toPoint()), {}, {0, -360}, {}, {}, Qt::NoScrollPhase, false);

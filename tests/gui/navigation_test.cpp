@@ -234,7 +234,7 @@ void NavigationTest::blender_turns_about_the_up_axis() {
     // The up axis stays upright: no part of it points to the side of the picture.
     QVERIFY(std::abs((from.focus - from.eye).normalized().cross(from.up).dot(up)) < 1e-9 && from.up.dot(up) > 0);
   }
-  drag(window, Qt::MiddleButton, {}, {0, 5000});  // as far as the pole, and no further
+  drag(window, Qt::MiddleButton, {}, {0, 5000});  // to the pole, and not beyond
   QVERIFY(near(towards_eye(window), up) || near(towards_eye(window), -up));
   drag(window, Qt::MiddleButton, {}, {0, -100});
   QVERIFY(window.view().viewpoint().up.dot(up) > 0);

@@ -73,19 +73,19 @@ void PlayerTest::every_state_is_shown_in_its_order() {
   const QImage last = window.view().picture();
   choose_pace(window, 8);
   std::vector<int> places;
-  QStringList told;
+  QStringList places_named;
   auto* words = part<QLabel>(window, "timelinePlace");
   connect(&window.document(), &Document::patch_moved, words, [&] { places.push_back(flow.place()); });
   press(window, "play");
   QVERIFY(is_playing(window));
   QVERIFY(wait_until([&] {
-    if (!told.contains(words->text())) told << words->text();
+    if (!places_named.contains(words->text())) places_named << words->text();
     return !is_playing(window);
   }));
   QCOMPARE(static_cast<int>(places.size()), flow.states());
   for (int k = 0; k < flow.states(); ++k) QCOMPARE(places[static_cast<std::size_t>(k)], k);
-  QCOMPARE(static_cast<int>(told.size()), flow.states());
-  QVERIFY(told.filter(QStringLiteral("initial patch")).size() == 1);
+  QCOMPARE(static_cast<int>(places_named.size()), flow.states());
+  QVERIFY(places_named.filter(QStringLiteral("initial patch")).size() == 1);
   // It ends where it was: nothing has changed.
   QCOMPARE(flow.undo_text(), flow.changes);
   settle();

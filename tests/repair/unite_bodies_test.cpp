@@ -10,6 +10,7 @@
 #include "mesh/watertight.h"
 #include "repair/repair_surface.h"
 #include "samples/analytic_surfaces.h"
+#include "support/box.h"
 #include "support/sharp_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -24,17 +25,7 @@
 namespace loopmend {
 namespace {
 
-TriangleSoup box(const Vec3& low, const Vec3& high) {
-  TriangleSoup soup;
-  for (int k = 0; k < 8; ++k)
-    soup.points.emplace_back((k & 1 ? high : low).x(), (k & 2 ? high : low).y(), (k & 4 ? high : low).z());
-  for (const std::array<int, 4>& q : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
-                                      std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
-    soup.triangles.push_back({q[0], q[1], q[2]});
-    soup.triangles.push_back({q[0], q[2], q[3]});
-  }
-  return soup;
-}
+using test::box;
 
 TriangleSoup ball(const Vec3& center, double radius = 1, int level = 3) {
   TriangleSoup soup = make_icosphere(level);
@@ -469,38 +460,6 @@ TEST(UniteBodies, PartsHaveTheAttributesOfTheirFace) {
       return Vec3((of.points[t[1]] - of.points[t[0]]).cross(of.points[t[2]] - of.points[t[0]]).normalized());
     };
     EXPECT_NEAR((normal(after, f) - normal(soup, number)).norm(), 0, 1e-12);
-  }
-}
-
-/// As STL has them: both name the same corners of the face in common, which the one divides along the other diagonal.
-TEST(UniteBodies, BodiesWithTheCornersOfAFaceInCommonAreOne) {
-  for (const bool along_the_other : {false, true}) {
-    TriangleSoup soup = box({0, 0, 0}, {1, 2, 3});
-    const TriangleSoup other = box({1, 0, 0}, {2, 2, 3});
-    std::vector<int> at;
-    for (const Vec3& p : other.points) {
-      const auto same = std::find(soup.points.begin(), soup.points.end(), p);
-      at.push_back(static_cast<int>(same - soup.points.begin()));
-      if (same == soup.points.end()) soup.points.push_back(p);
-    }
-    for (const Triangle& t : other.triangles)
-      soup.triangles.push_back(
-          {at[static_cast<std::size_t>(t[0])], at[static_cast<std::size_t>(t[1])], at[static_cast<std::size_t>(t[2])]});
-    ASSERT_EQ(soup.points.size(), 12U);
-    if (along_the_other) {  // the face in common, x = 1 of the second box
-      Triangle &t = soup.triangles[12 + 8], &u = soup.triangles[12 + 9];
-      const Triangle q{t[0], t[1], t[2]};
-      const int last = u[2];
-      t = {q[0], q[1], last};
-      u = {q[1], q[2], last};
-    }
-    std::set<Defect> defects = harmless_repairs;
-    defects.insert(Defect::overlaps);
-    const RepairedSurface repaired = repair_surface(soup, defects);
-    const Watertightness made = watertightness(repaired.soup);
-    EXPECT_TRUE(made.printable()) << along_the_other;
-    EXPECT_EQ(made.pieces, 1U);
-    EXPECT_NEAR(made.volume, 12, 1e-12);
   }
 }
 
