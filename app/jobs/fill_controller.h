@@ -121,7 +121,7 @@ class FillController : public QObject {
   void repair_scans(ScanRepair what, const std::set<int>& loops);
   /// ScanRepair::repair of these defects, in all scans.
   void repair(const std::set<Defect>& defects);
-  /// A strip between the boundary edges that begin at these soup points of a scan; as with_bridge() of the engine.
+  /// A strip between these soup points of a scan; as with_bridge() of the engine.
   void bridge(int scan, int soup_a, int soup_b);
   /// A bridge, and one of the two holes that it makes filled and smoothed: one change for undo.
   void fill_part(const HolePart& part, const FillAndSmooth& how);

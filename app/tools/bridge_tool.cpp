@@ -96,7 +96,7 @@ double BridgeTool::length(int seat, int steps) const {
   return sum;
 }
 
-/// The bridge takes the edges that begin at both vertices: a part begins behind one of these edges.
+/// The bridge takes the edges on both sides of both vertices: a part begins behind them.
 std::vector<int> BridgeTool::part() const {
   if (purpose_ != Purpose::fill_part || begun_ < 0 || hovered_ < 0 || begun_ == hovered_) return {};
   const Seat& at = seats_[begun_];
@@ -104,7 +104,7 @@ std::vector<int> BridgeTool::part() const {
   const bool forth = (length(begun_, there) <= length(hovered_, back)) != longer_;
   const int from = forth ? begun_ : hovered_, steps = forth ? there : back;
   std::vector<int> seats;
-  for (int k = 1; k <= steps; ++k) seats.push_back(at.first + (from - at.first + k) % at.count);
+  for (int k = 1; k < steps; ++k) seats.push_back(at.first + (from - at.first + k) % at.count);
   return seats;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strips between two loops.
 #include "filling/bridge_topology.h"
+#include "filling/tangent_cubic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,27 +102,9 @@ Points smoothed(Points directions) {
   return directions;
 }
 
-/// Cubic between two points with unit tangents; the speed is that of a circular arc of the same turn.
-struct Cubic {
-  Vec3 p, q, u, v;
-  Cubic(const Vec3& from, const Vec3& leaving, const Vec3& to, const Vec3& arriving) : p(from), q(to) {
-    const double turn = std::acos(std::clamp(leaving.dot(arriving), -1.0, 1.0));
-    const double speed = (to - from).norm() / std::pow(std::cos(turn / 4), 2);
-    u = speed * leaving;
-    v = speed * arriving;
-  }
-  Vec3 at(double t) const {
-    const double s = 1 - t;
-    return s * s * (1 + 2 * t) * p + t * s * s * u + t * t * (3 - 2 * t) * q - t * t * s * v;
-  }
-};
-
-int rows_for(const std::vector<Cubic>& cubics, double step) {
+int rows_for(const std::vector<TangentCubic>& cubics, double step) {
   double length = 0;
-  constexpr int pieces = 16;
-  for (const Cubic& c : cubics)
-    for (int k = 0; k < pieces; ++k)
-      length += (c.at((k + 1.0) / pieces) - c.at(static_cast<double>(k) / pieces)).norm();
+  for (const TangentCubic& c : cubics) length += c.length();
   return std::clamp(static_cast<int>(std::lround(length / static_cast<double>(cubics.size()) / step)), 1, most_rows);
 }
 
@@ -169,7 +152,7 @@ SweptBridge bridge_by_sweep(const BridgeEnd& a, const BridgeEnd& b, double step,
   constexpr double never = 0, at_once = 1e-6;
   const CrossEdges cross = best_even_path(a.points, b.points, shape == SweepShape::straight ? at_once : never);
   const Points leaving = smoothed(a.conormals), arriving = smoothed(b.conormals);
-  std::vector<Cubic> cubics;
+  std::vector<TangentCubic> cubics;
   for (const auto& [i, j] : cross) {
     const Vec3 across = (b.points[j] - a.points[i]).normalized();
     const bool is_straight = shape == SweepShape::straight;
@@ -180,7 +163,7 @@ SweptBridge bridge_by_sweep(const BridgeEnd& a, const BridgeEnd& b, double step,
   SweptBridge bridge;
   bridge.points = a.points;
   bridge.points.insert(bridge.points.end(), b.points.begin(), b.points.end());
-  for (const Cubic& c : cubics)
+  for (const TangentCubic& c : cubics)
     for (int r = 1; r < rows; ++r) bridge.points.push_back(c.at(static_cast<double>(r) / rows));
   const int columns = static_cast<int>(cross.size());
   const auto number = [&](int column, int row) {

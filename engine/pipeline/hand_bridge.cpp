@@ -2,92 +2,181 @@
 #include "pipeline/hand_bridge.h"
 
 #include "core/error.h"
+#include "filling/tangent_cubic.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/loop_facing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
+#include <vector>
 
 namespace loopmend {
 
 namespace {
 
-/// A boundary edge as it runs along its loop, the hole to its left.
-struct BridgeSeat {
-  int loop = 0;
-  int from = 0, to = 0;           ///< soup points
-  Vec3 leaving_from, leaving_to;  ///< unit, tangent to the surface, out of it
+constexpr int averaged_edges = 3;  ///< to both sides of an end, for its tangent plane
+constexpr int most_shifts = 2;     ///< boundary edges by which an end may move aside
+constexpr int seen_edges = 8;      ///< to both sides of an end, in which teeth of the boundary are looked for
+constexpr double narrowed = 0.7;   ///< width of a strip in that of its ends
+
+struct Place {
+  std::size_t loop;
+  int vertex;  ///< of the loop
 };
 
-std::vector<BridgeSeat> seats_at(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int point) {
-  std::vector<BridgeSeat> seats;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    std::optional<LoopFacing> facing;
-    const std::vector<int>& vertices = loops[l].vertices;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      if (model.soup_vertex[vertices[i]] != point) continue;
-      if (!facing) facing = loop_facing(model, loops[l]);
-      const std::size_t next = (i + 1) % vertices.size();
-      seats.push_back({static_cast<int>(l), point, model.soup_vertex[vertices[next]], facing->conormals[i],
-                       facing->conormals[next]});
+/// A vertex of a loop that runs with the hole to its left, and the vertices on both sides of it.
+struct BridgeEnd {
+  int before = 0, at = 0, after = 0;  ///< soup points
+  Vec3 normal;                        ///< unit, of the surface
+  Vec3 onward;                        ///< unit, tangent to the surface, out of it and half towards the other end
+};
+
+Vec3 unit_or_zero(const Vec3& v) { return v.norm() > 0 ? Vec3(v.normalized()) : Vec3::Zero(); }
+
+Vec3 without(const Vec3& v, const Vec3& unit) { return v - unit.dot(v) * unit; }
+
+/// A loop, and what a strip finds at its vertices.
+class BridgeLoop {
+ public:
+  BridgeLoop(const SurfaceModel& model, const BoundaryLoop& loop)
+      : model_(model),
+        loop_(loop),
+        facing_(loop_facing(model, loop)) {}
+
+  /// @param towards  from the end to the strip's other one
+  BridgeEnd end_at(int vertex, const Vec3& towards) const {
+    Vec3 normal = Vec3::Zero(), onward = Vec3::Zero();
+    for (int k = vertex - averaged_edges; k <= vertex + averaged_edges; ++k) {
+      for (const auto f : model_.mesh.vf_range(TriMesh::VertexHandle(loop_.vertices[wrapped(k)])))
+        normal += model_.mesh.calc_normal(f);
+      onward += facing_.conormals[wrapped(k)];
     }
+    normal = unit_or_zero(normal);
+    onward = unit_or_zero(without(onward, normal));
+    const Vec3 both = onward + unit_or_zero(without(towards, normal));
+    if (both.norm() > 1e-3) onward = both.normalized();
+    return {soup_point(vertex - 1), soup_point(vertex), soup_point(vertex + 1), normal, onward};
   }
-  if (seats.empty()) throw InvalidArgument(say("vertex %1 lies on no boundary loop", point));
-  return seats;
+
+  /// The end at this vertex, or at the nearest one that has no tooth of the boundary before it.
+  BridgeEnd free_end_at(int vertex, const Vec3& towards) const {
+    BridgeEnd best = end_at(vertex, towards);
+    double least = tooth_before(vertex, best);
+    for (int shift = 1; shift <= most_shifts && least > 0; ++shift)
+      for (const int to : {vertex + shift, vertex - shift}) {
+        const BridgeEnd end = end_at(to, towards);
+        const double tooth = tooth_before(to, end);
+        if (tooth >= least) continue;
+        least = tooth;
+        best = end;
+      }
+    return best;
+  }
+
+ private:
+  std::size_t wrapped(int vertex) const {
+    const int n = loop_.edges();
+    return static_cast<std::size_t>((vertex % n + n) % n);
+  }
+  int soup_point(int vertex) const { return model_.soup_vertex[loop_.vertices[wrapped(vertex)]]; }
+  Vec3 point(int vertex) const { return model_.mesh.point(TriMesh::VertexHandle(loop_.vertices[wrapped(vertex)])); }
+
+  /// How far the boundary stands out before the strip that begins here, in widths of it; 0 below a quarter.
+  double tooth_before(int vertex, const BridgeEnd& end) const {
+    const Vec3 p = point(vertex), aside = end.normal.cross(end.onward);
+    const double width = ((point(vertex - 1) - p).norm() + (point(vertex + 1) - p).norm()) / 2;
+    double farthest = 0;
+    const int reach = std::min(seen_edges, loop_.edges() / 4);
+    for (int k = -reach; k <= reach; ++k) {
+      if (std::abs(k) < 2) continue;
+      const Vec3 d = point(vertex + k) - p;
+      if (std::abs(aside.dot(d)) < 1.2 * width) farthest = std::max(farthest, end.onward.dot(d));
+    }
+    return farthest > width / 4 ? farthest / width : 0;
+  }
+
+  const SurfaceModel& model_;
+  const BoundaryLoop& loop_;
+  LoopFacing facing_;
+};
+
+std::vector<Place> places_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int point) {
+  std::vector<Place> places;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (int k = 0; k < loops[l].edges(); ++k)
+      if (model.soup_vertex[loops[l].vertices[static_cast<std::size_t>(k)]] == point) places.push_back({l, k});
+  if (places.empty()) throw InvalidArgument(say("vertex %1 lies on no boundary loop", point));
+  return places;
 }
 
-/// From p, which it leaves along `leaving`, to q, which it reaches against `arriving` (cubic Hermite).
-Vec3 cubic(const Vec3& p, const Vec3& leaving, const Vec3& q, const Vec3& arriving, double t) {
-  const double length = (q - p).norm(), s = 1 - t;
-  return s * s * (1 + 2 * t) * p + t * t * (1 + 2 * s) * q + length * (s * s * t * leaving + s * t * t * arriving);
+bool lie_apart(const BridgeEnd& s, const BridgeEnd& t) {
+  for (const int end : {s.before, s.at, s.after})
+    if (end == t.before || end == t.at || end == t.after) return false;
+  return true;
 }
 
 }  // namespace
 
-TriangleSoup with_bridge(const SurfaceModel& model, int a, int b) {
+HandBridge with_bridge(const SurfaceModel& model, int a, int b) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  const std::vector<BridgeSeat> seats_a = seats_at(model, loops, a), seats_b = seats_at(model, loops, b);
-  BridgeSeat s = seats_a.front(), t = seats_b.front();
-  for (const BridgeSeat& first : seats_a)  // where loops touch, both ends on one loop if that can be
-    for (const BridgeSeat& second : seats_b)
-      if (first.loop == second.loop) s = first, t = second;
-  if (s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to)
+  const std::vector<Place> places_a = places_of(model, loops, a), places_b = places_of(model, loops, b);
+  Place from = places_a.front(), to = places_b.front();
+  for (const Place& first : places_a)  // where loops touch, both ends on one loop if that can be
+    for (const Place& second : places_b)
+      if (first.loop == second.loop) from = first, to = second;
+  const auto at = [&](int v) { return Vec3(model.soup.points[v]); };
+  const Vec3 across = at(b) - at(a);
+  const BridgeLoop loop_a(model, loops[from.loop]), loop_b(model, loops[to.loop]);
+  BridgeEnd s = loop_a.free_end_at(from.vertex, across), t = loop_b.free_end_at(to.vertex, -across);
+  if (!lie_apart(s, t)) s = loop_a.end_at(from.vertex, across), t = loop_b.end_at(to.vertex, -across);
+  if (!lie_apart(s, t))
     throw InvalidArgument(
-        say("the boundary edges that begin at vertices %1 and %2 have a vertex in common: a bridge needs two that lie "
-            "apart",
+        say("the boundary edges at vertices %1 and %2 have a vertex in common: a bridge needs two ends that lie apart",
             a, b));
   TriangleSoup soup = model.soup;
-  const auto at = [&](int v) { return Vec3(model.soup.points[v]); };
-  const double edge = ((at(s.to) - at(s.from)).norm() + (at(t.to) - at(t.from)).norm()) / 2;
-  const double span = ((at(t.from) - at(s.to)).norm() + (at(t.to) - at(s.from)).norm()) / 2;
-  const int rows = std::clamp(static_cast<int>(std::lround(span / std::max(edge, 1e-300))), 2, 10000);
-  // Two rails: from the end of the first edge to the begin of the second, and from its begin to the other's end.
-  std::vector<int> right{s.to}, left{s.from};
-  /// Between two points of the soup, at the share `way` from the first.
-  const auto add = [&](const Vec3& p, int first, int second, double way) {
+  const TangentCubic middle(at(s.at), s.onward, at(t.at), -t.onward);
+  // Towards the left rail, from the middle: at both ends, and of the strip between.
+  const Vec3 left_of_s = at(s.before) - at(s.at), left_of_t = at(t.after) - at(t.at);
+  const Vec3 right_of_s = at(s.after) - at(s.at), right_of_t = at(t.before) - at(t.at);
+  const double width = narrowed * (left_of_s.norm() + left_of_t.norm() + right_of_s.norm() + right_of_t.norm()) / 4;
+  const int rows = std::clamp(static_cast<int>(std::lround(middle.length() / std::max(width, 1e-300))), 2, 10000);
+  /// Between two points of the soup, at the share `share` from the first.
+  const auto add = [&](const Vec3& p, int first, int second, double share) {
     soup.points.push_back(p);
     if (!soup.colors.empty()) {
       Color mixed;
       for (std::size_t k = 0; k < mixed.size(); ++k)
-        mixed[k] =
-            static_cast<unsigned char>(std::lround((1 - way) * soup.colors[first][k] + way * soup.colors[second][k]));
+        mixed[k] = static_cast<unsigned char>(
+            std::lround((1 - share) * soup.colors[first][k] + share * soup.colors[second][k]));
       soup.colors.push_back(mixed);
     }
     return static_cast<int>(soup.points.size()) - 1;
   };
+  struct Row {
+    int left, middle, right;
+  };
+  std::vector<Row> strip{{s.before, s.at, s.after}};
   for (int r = 1; r < rows; ++r) {
-    const double way = static_cast<double>(r) / rows;
-    right.push_back(add(cubic(at(s.to), s.leaving_to, at(t.from), t.leaving_from, way), s.to, t.from, way));
-    left.push_back(add(cubic(at(s.from), s.leaving_from, at(t.to), t.leaving_to, way), s.from, t.to, way));
+    const double share = static_cast<double>(r) / rows;
+    // The boundary's own edges count in the first and the last row only.
+    const double of_s = std::max(0.0, 1 - r / 2.0), of_t = std::max(0.0, 1 - (rows - r) / 2.0);
+    const Vec3 normal = (1 - share) * s.normal + share * t.normal;
+    const Vec3 side = (1 - of_s - of_t) * width * unit_or_zero(normal.cross(middle.derivative(share)));
+    const Vec3 p = middle.at(share);
+    strip.push_back({add(p + side + of_s * left_of_s + of_t * left_of_t, s.before, t.after, share),
+                     add(p, s.at, t.at, share),
+                     add(p - side + of_s * right_of_s + of_t * right_of_t, s.after, t.before, share)});
   }
-  right.push_back(t.from);
-  left.push_back(t.to);
+  strip.push_back({t.after, t.at, t.before});
   for (int r = 0; r < rows; ++r) {
-    soup.triangles.push_back({left[r], right[r], right[r + 1]});
-    soup.triangles.push_back({left[r], right[r + 1], left[r + 1]});
+    const Row &from = strip[static_cast<std::size_t>(r)], &to = strip[static_cast<std::size_t>(r) + 1];
+    soup.triangles.push_back({from.left, from.middle, to.middle});
+    soup.triangles.push_back({from.left, to.middle, to.left});
+    soup.triangles.push_back({from.middle, from.right, to.middle});
+    soup.triangles.push_back({from.right, to.right, to.middle});
   }
-  return soup;
+  return {std::move(soup), s.at, t.at};
 }
 
 }  // namespace loopmend

@@ -32,7 +32,7 @@ constexpr double longest_gap_edge = 0.5;  ///< width of a gap in its length
 constexpr double shortest_gap = 0.5;      ///< its length in diameters of the smaller outline
 constexpr double narrowest_gap = 0.09;    ///< in edges
 constexpr double widest_gap = 0.2;        ///< in diameters of the smaller outline
-constexpr std::size_t fewest_edges = 4, most_edges_between = 2;
+constexpr std::size_t fewest_edges = 5, most_edges_between = 2;
 constexpr double most_edge_pairs = 5e7;  ///< that are looked at in all
 
 double two_digits(double x) {
@@ -288,14 +288,14 @@ std::optional<RimPair> find_gap(const SurfaceModel& model, const BoundaryLoop& a
   if (length < shortest_gap * std::min(a.diameter, b.diameter)) return std::nullopt;
   if (gap.width > longest_gap_edge * length || gap.width > widest_gap * std::min(a.diameter, b.diameter))
     return std::nullopt;
-  std::array<std::size_t, 2> across{};
-  for (std::size_t end = 0; end < 2; ++end) {
-    const std::size_t edge = (end == 0 ? first : first + count - 1) % own.size();
-    across[end] = edge_across(own, edge, other);
-    gap.bridges[end] = {own.soup[edge], other.soup[across[end]]};
-  }
-  const std::size_t apart = (across[0] + other.size() - across[1]) % other.size();
-  if (apart < 2) return std::nullopt;  // the strips would share an edge or a vertex
+  // A strip takes the edges on both sides of its ends: these lie one edge within the run.
+  const std::size_t begin = first % own.size(), end = (first + count - 1) % own.size();
+  const std::size_t across_begin = edge_across(own, begin, other),
+                    across_end = other.next(edge_across(own, end, other));
+  gap.bridges = {std::pair{own.soup[own.next(begin)], other.soup[across_begin]},
+                 std::pair{own.soup[end], other.soup[across_end]}};
+  const std::size_t apart = (across_begin + other.size() - across_end) % other.size();
+  if (apart < 3) return std::nullopt;  // the strips would share a vertex
   return gap;
 }
 
