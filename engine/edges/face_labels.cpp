@@ -15,6 +15,8 @@ namespace {
 
 constexpr double price_of_length =
     0.02;  ///< of an edge between two sides whose surfaces meet there, in mean edges of gap
+constexpr double share_off_seam = 0.05;  ///< of the distance from where two surfaces meet
+constexpr double parallel = 0.05;        ///< sine of the angle below which two surfaces do not meet
 constexpr int most_sweeps = 4;
 constexpr double resolution = 1e9;  ///< of capacities, which are whole numbers, in the largest of them
 
@@ -88,11 +90,15 @@ class BinaryProblem {
 
 class Labelling {
  public:
-  Labelling(const Domain& domain, const Sides& sides) : domain_(domain), sides_(sides) {
+  Labelling(const Domain& domain, const Sides& sides, SeamPrice price) : domain_(domain), sides_(sides), price_(price) {
     collect_edges();
     for (const SideSurface& surface : sides.surfaces) {
       feet_.emplace_back();
-      for (const Vec3& p : domain.points) feet_.back().push_back(surface.foot(p));
+      normals_.emplace_back();
+      for (const Vec3& p : domain.points) {
+        feet_.back().push_back(surface.foot(p));
+        normals_.back().push_back(surface.normal_at(feet_.back().back()));
+      }
     }
   }
 
@@ -111,6 +117,7 @@ class Labelling {
       }
       if (!(best < before)) break;
     }
+    if (price_ == SeamPrice::off_seam) open_pinches(labels);
     return labels;
   }
 
@@ -135,8 +142,18 @@ class Labelling {
   double gap(const DomainEdge& e, int i, int j) const {
     return ((feet_[i][e.a] - feet_[j][e.a]).norm() + (feet_[i][e.b] - feet_[j][e.b]).norm()) / 2;
   }
+  double off_seam(int v, int i, int j) const {
+    const Vec3 &p = domain_.points[v], &n = normals_[i][v], &m = normals_[j][v];
+    const double apart = (feet_[i][v] - feet_[j][v]).norm(), cosine = n.dot(m), sine2 = 1 - cosine * cosine;
+    if (sine2 < parallel * parallel) return apart;
+    // The least move onto both tangent planes.
+    const double a = n.dot(feet_[i][v] - p), b = m.dot(feet_[j][v] - p);
+    return std::min(apart, share_off_seam * std::sqrt(std::max(0.0, (a * a + b * b - 2 * cosine * a * b) / sine2)));
+  }
   double cost(const DomainEdge& e, int i, int j) const {
-    return i == j ? 0 : e.length * (gap(e, i, j) + price_of_length * mean_length_);
+    if (i == j) return 0;
+    const double between = price_ == SeamPrice::apart ? gap(e, i, j) : (off_seam(e.a, i, j) + off_seam(e.b, i, j)) / 2;
+    return e.length * (between + price_of_length * mean_length_);
   }
   /// Of the neighborhood across an edge of the loop; −1 where it is not known.
   int side_outside(const DomainEdge& e) const {
@@ -144,7 +161,8 @@ class Labelling {
   }
   double cost_outside(const DomainEdge& e, int i) const {
     const int outside = side_outside(e);
-    return outside < 0 || outside == i ? 0 : sides_.loop_price * e.length * gap(e, i, outside);
+    if (outside < 0 || outside == i) return 0;
+    return sides_.loop_price * e.length * gap(e, i, outside);
   }
 
   double energy(const std::vector<int>& labels) const {
@@ -169,6 +187,20 @@ class Labelling {
       labels.push_back(label);
     }
     return labels;
+  }
+
+  /// Where the same side lies inside both loop edges at a vertex, no other one touches the loop in this vertex alone.
+  void open_pinches(std::vector<int>& labels) const {
+    std::vector<int> inside(static_cast<std::size_t>(domain_.loop), -1);
+    for (const DomainEdge& e : edges_)
+      if (e.other < 0) inside[static_cast<std::size_t>(e.a)] = labels[e.face];
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      for (const int v : domain_.triangles[f]) {
+        if (v >= domain_.loop) continue;
+        const int side = inside[static_cast<std::size_t>(v)];
+        if (side >= 0 && side == inside[static_cast<std::size_t>((v + domain_.loop - 1) % domain_.loop)])
+          labels[f] = side;
+      }
   }
 
   /// x = 1: the triangle takes the side.
@@ -196,15 +228,16 @@ class Labelling {
 
   const Domain& domain_;
   const Sides& sides_;
+  SeamPrice price_;
   std::vector<DomainEdge> edges_;
-  std::vector<Points> feet_;  ///< by side and point
+  std::vector<Points> feet_, normals_;  ///< by side and point
   double mean_length_ = 0;
 };
 
 }  // namespace
 
-std::vector<int> label_faces(const Domain& domain, const Sides& sides, const CancelToken& cancel) {
-  return Labelling(domain, sides).run(cancel);
+std::vector<int> label_faces(const Domain& domain, const Sides& sides, SeamPrice price, const CancelToken& cancel) {
+  return Labelling(domain, sides, price).run(cancel);
 }
 
 }  // namespace loopmend

@@ -123,16 +123,21 @@ class SeamTracer {
       layout_.points.push_back(place(both, line[k]));
     }
     chain.points.push_back(to);
-    if (!is_sharp(both, line[line.size() / 2])) return;
+    const double bend = bend_deg(both, line[line.size() / 2]);
+    if (bend <= sides_.seam_deg) return;
+    layout_.sharpest_deg = std::max(layout_.sharpest_deg, bend);
     layout_.seams.push_back(chain.points);
     layout_.sides_of_seam.emplace_back(*chain.sides.begin(), *chain.sides.rbegin());
   }
 
-  /// Whether both surfaces bend there as sharp edges of the neighborhood do.
-  bool is_sharp(const std::vector<const SideSurface*>& both, const Vec3& p) const {
+  /// The angle between the normals of both surfaces there; a quadric's has no sign.
+  static double bend_deg(const std::vector<const SideSurface*>& both, const Vec3& p) {
     const Vec3 first = both.front()->normal_at(both.front()->foot(p)),
                second = both.back()->normal_at(both.back()->foot(p));
-    return std::abs(first.dot(second)) < std::cos(sides_.seam_deg * std::numbers::pi / 180);
+    const bool is_signed = std::ranges::none_of(
+        both, [](const SideSurface* surface) { return surface->kind() == SideSurface::Kind::quadric; });
+    const double cosine = is_signed ? first.dot(second) : std::abs(first.dot(second));
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
   }
 
   std::size_t segments(const Points& line) const {

@@ -24,6 +24,7 @@ struct SeamLayout {
   std::vector<std::pair<int, int>> sides_of_seam;
   std::vector<Part> parts;
   std::vector<int> side_inside;  ///< of each loop edge
+  double sharpest_deg = 0;       ///< largest bend where two sides meet
   double gap = 0;                ///< largest distance of a seam's point from one of the surfaces that should meet there
 };
 

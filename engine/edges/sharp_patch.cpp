@@ -225,9 +225,14 @@ std::optional<Meshed> mesh_parts(const Patch& initial, const Domain& domain, con
         domain, labels, sides, [&](const Vec3& p) { return size.at(p); }, reach);
     result.all = {domain.loop, result.layout.points, {}, std::vector<std::set<int>>(result.layout.points.size())};
     std::set<std::pair<int, int>> joined = chords_outside(initial, domain.loop);
-    const auto bad = std::find_if(result.layout.parts.begin(), result.layout.parts.end(), [&](const Part& part) {
-      return part.outline.empty() || !add_part(part, sides.surfaces[part.side], size, joined, result.all);
-    });
+    std::vector<Part>& parts = result.layout.parts;
+    const auto extent = [](const Part& part) {
+      return part.outline.empty() ? part.triangles.size() : std::numeric_limits<std::size_t>::max();
+    };
+    auto bad = std::ranges::min_element(parts, {}, extent);  // what is no disc, the smallest first
+    if (bad != parts.end() && !bad->outline.empty())
+      bad = std::ranges::find_if_not(
+          parts, [&](const Part& part) { return add_part(part, sides.surfaces[part.side], size, joined, result.all); });
     if (bad == result.layout.parts.end()) return result;
     if (!give_away(domain, *bad, labels)) return std::nullopt;
   }
@@ -289,13 +294,13 @@ Misfit least_misfit(const Patch& initial, const Sides& sides) {
 /// @param sides  of the neighborhood. @param joined  takes up loop edges whose sides a stopped edge parts; the patch is then of no use.
 /// @returns nothing where the sides do not fit the loop, or not each other.
 std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& sides, const Tolerance& tolerance,
-                                         const LoopEdits& edits, std::vector<std::pair<int, int>>& joined,
-                                         const CancelToken& cancel) {
+                                         const LoopEdits& edits, SeamPrice price,
+                                         std::vector<std::pair<int, int>>& joined, const CancelToken& cancel) {
   const double diameter = loop_diameter(initial, 0), reach = farthest_seam * diameter;
   if (!least_misfit(initial, sides).is_within(tolerance, diameter)) return std::nullopt;
   const Domain domain = domain_of(initial);
   if (domain.loop != static_cast<int>(initial.loops[0].size())) return std::nullopt;
-  const std::vector<int> labels = label_faces(domain, sides, cancel);
+  const std::vector<int> labels = label_faces(domain, sides, price, cancel);
   if (labels.empty()) return std::nullopt;
   std::optional<Meshed> meshed = mesh_parts(initial, domain, sides, labels, reach, cancel);
   if (!meshed) return std::nullopt;
@@ -310,6 +315,7 @@ std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& side
   if (used.size() == 1 && !is_plain_side(sides.surfaces[*used.begin()], diameter)) return std::nullopt;
   result.sides = static_cast<int>(used.size());
   result.edges = meshed->layout.seams;
+  result.sharpest_deg = meshed->layout.sharpest_deg;
   if (result.sides > 1 && result.edges.empty()) return std::nullopt;
   for (int i = 0; i < domain.loop; ++i) {
     const int outside = sides.of_edge[i];
@@ -333,19 +339,20 @@ std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const LoopE
   if (initial.loops.size() != 1 || !is_plain(initial)) return std::nullopt;
   Tolerance tolerance;
   if (!edits.drawn.empty()) tolerance = {most_drawn_misfit, most_drawn_misfit_anywhere};
-  for (const double reach : reaches) {
-    SideEdits side_edits{edits.drawn, {}};
-    // Each round joins two sides, where a surface fits both.
-    for (int round = 0; round < most_joins && !cancel.cancelled(); ++round) {
-      const std::optional<Sides> sides = sharp_sides(initial, reach, side_edits);
-      if (!sides) break;
-      std::vector<std::pair<int, int>> joined;
-      std::optional<SharpPatch> patch = continue_sides(initial, *sides, tolerance, edits, joined, cancel);
-      if (patch && joined.empty()) return patch;
-      if (joined.empty()) break;
-      side_edits.joined.insert(side_edits.joined.end(), joined.begin(), joined.end());
+  for (const SeamPrice price : {SeamPrice::apart, SeamPrice::off_seam})
+    for (const double reach : reaches) {
+      SideEdits side_edits{edits.drawn, {}};
+      // Each round joins two sides, where a surface fits both.
+      for (int round = 0; round < most_joins && !cancel.cancelled(); ++round) {
+        const std::optional<Sides> sides = sharp_sides(initial, reach, side_edits);
+        if (!sides) break;
+        std::vector<std::pair<int, int>> joined;
+        std::optional<SharpPatch> patch = continue_sides(initial, *sides, tolerance, edits, price, joined, cancel);
+        if (patch && joined.empty()) return patch;
+        if (joined.empty()) break;
+        side_edits.joined.insert(side_edits.joined.end(), joined.begin(), joined.end());
+      }
     }
-  }
   return std::nullopt;
 }
 

@@ -17,6 +17,7 @@ struct SharpPatch {
   int sides = 0;    ///< whose surfaces the patch continues
   /// Sharp edges within the patch: indices into patch.points, from one end to the other.
   std::vector<std::vector<int>> edges;
+  double sharpest_deg = 0;    ///< largest bend at one of them
   std::vector<char> creased;  ///< of each loop edge: whether the patch continues another side than the one across it
 };
 

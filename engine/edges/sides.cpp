@@ -214,7 +214,11 @@ void join_sides(const Patch& patch, double diameter, const auto& are_one, std::v
       Side both = sides[i];
       both.vertices.insert(sides[j].vertices.begin(), sides[j].vertices.end());
       both.normal = (sides[i].normal + sides[j].normal).normalized();
-      const auto surface = SideSurface::fit(positions_of(patch, both.vertices), both.normal, diameter);
+      // Two planes are a quadric, too.
+      const bool are_planes =
+          surfaces[i].kind() == SideSurface::Kind::plane && surfaces[j].kind() == SideSurface::Kind::plane;
+      const auto surface = SideSurface::fit(positions_of(patch, both.vertices), both.normal, diameter,
+                                            are_planes ? SideSurface::Kinds::height_fields : SideSurface::Kinds::all);
       if (!surface) continue;
       const double most = one_surface * std::max(surfaces[i].rms(), surfaces[j].rms()) + exact * diameter;
       if (!asked_for && surface->rms() > most) continue;

@@ -114,8 +114,8 @@ bool sharp_edges(const Situation& s, PatchResult& result) {
   const PatchProblem& problem = s.context.problem;
   Patch patch = make_patch(problem.scan.model, problem.loops, {s.sharp->patch});
   patch.grading = problem.initial.grading;
-  take_patch(s.context, s.context.judge.expecting_creases({s.sharp->creased}), s.options.flow, std::move(patch),
-             result);
+  take_patch(s.context, s.context.judge.expecting_creases({s.sharp->creased}, s.sharp->sharpest_deg), s.options.flow,
+             std::move(patch), result);
   result.status = PatchStatus::faired;
   result.method = Method::sharp_edges;
   const auto edges = s.sharp->edges.size();

@@ -56,9 +56,17 @@ DeviationEstimate expected_deviation(const Patch& patch, const CancelToken& canc
     bounds = expected_deviation(std::sqrt(differences[l] / area[l]));
     for (double* bound : {&bounds.half, &bounds.likely, &bounds.most}) *bound *= diameter[l] * patch.scale;
   }
+  // The bounds are of the whole patch, which at the seam is exact.
+  const std::vector<int> loop_of_triangle = loop_of_triangles(patch);
+  std::vector<double> whole_area(loops);
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    const auto& [a, b, c] = patch.triangles[f];
+    whole_area[loop_of_triangle[f]] +=
+        (patch.positions[b] - patch.positions[a]).cross(patch.positions[c] - patch.positions[a]).norm() / 2;
+  }
   for (int v = 0; v < patch.free_count; ++v) {
     const int l = loop_of[v];
-    estimate.vertices[v] *= estimate.loops[l].likely / std::sqrt(deviations[l] / area[l]);
+    estimate.vertices[v] *= estimate.loops[l].likely / std::sqrt(deviations[l] / whole_area[l]);
   }
   return estimate;
 }

@@ -56,7 +56,7 @@ struct Bends {
   std::vector<int> folds_at_seam;              ///< the same beside a fold of a seam edge
   double usual = 0;                            ///< what 19 of 20 edges of the scan around stay below, degrees
 
-  explicit Bends(const Patch& patch) {
+  explicit Bends(const Patch& patch, double folded = fold_deg) {
     std::vector<double> around;
     for (const Bend& bend : bends(patch.positions, patch.triangles, static_cast<int>(patch.triangles.size()))) {
       const double angle = degrees(bend.cosine);
@@ -68,7 +68,7 @@ struct Bends {
         seam[{bend.low, bend.high}] = angle;
       else if (angle > bent_deg)
         inside.push_back({bend.face, angle, (patch.positions[bend.high] - patch.positions[bend.low]).norm()});
-      if (angle > fold_deg) (bend.other >= patch.patch_triangles ? folds_at_seam : folds).push_back(bend.face);
+      if (angle > folded) (bend.other >= patch.patch_triangles ? folds_at_seam : folds).push_back(bend.face);
     }
     usual = quantile(std::move(around), 0.95);
   }
@@ -209,7 +209,8 @@ Judge::Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases)
     : initial_(initial),
       ends_(std::move(ends)),
       creases_(creases),
-      initial_seams_(seam_reports(initial)) {
+      initial_seams_(seam_reports(initial)),
+      fold_deg_(fold_deg) {
   const Bends bends(initial);
   for (const auto& loop : initial.loops) {
     initial_bends_.push_back(bends.along(loop));
@@ -217,11 +218,19 @@ Judge::Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases)
   }
 }
 
+Judge Judge::expecting_creases(std::vector<std::vector<char>> edges, double sharpest_deg) const {
+  constexpr double tolerance_deg = 5, flat_on_itself_deg = 179;
+  Judge judge = *this;
+  judge.expected_creases_ = std::move(edges);
+  judge.fold_deg_ = std::clamp(sharpest_deg + tolerance_deg, fold_deg, flat_on_itself_deg);
+  return judge;
+}
+
 std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& validity,
                                        const std::vector<SeamReport>& seams) const {
   std::vector<Verdict> verdicts(patch.loops.size());
   if (verdicts.empty()) return verdicts;
-  const Bends bends(patch);
+  const Bends bends(patch, fold_deg_);
   const std::vector<int> loop_of = loop_of_triangles(patch);
   for (int f : bends.folds) ++verdicts[loop_of[f]].folds;
   std::vector<int> folds_at_seam(patch.loops.size());

@@ -61,12 +61,9 @@ class Judge {
   /// @param creases  `asked_for`: position alone was asked for at the seam.
   Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases);
 
-  /// The same judge for patches that crease these edges of their loops on purpose. @param edges  per loop and edge, from place i to i + 1
-  Judge expecting_creases(std::vector<std::vector<char>> edges) const {
-    Judge judge = *this;
-    judge.expected_creases_ = std::move(edges);
-    return judge;
-  }
+  /// The same judge for patches that bend on purpose. @param edges  of their loops that they crease, per loop and edge, from place i
+  /// to i + 1. @param sharpest_deg  largest bend within them that is no fold
+  Judge expecting_creases(std::vector<std::vector<char>> edges, double sharpest_deg) const;
 
   /// @param validity  of the patch against scan and itself, with intersections per loop.
   /// @param seams     of the patch, one for each loop.
@@ -101,6 +98,7 @@ class Judge {
   std::vector<std::vector<char>> expected_creases_;  ///< per loop and edge; empty: none
   std::vector<std::vector<double>> initial_bends_;   ///< degrees, per loop and edge
   std::vector<SeamReport> initial_seams_;
+  double fold_deg_;  ///< an edge that is bent by more is folded
 };
 
 /// Bends of the edges of a seam, degrees.

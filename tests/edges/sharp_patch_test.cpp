@@ -13,7 +13,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace loopmend {
@@ -53,6 +55,15 @@ Filled fill(const TriangleSoup& scan, const FillOptions& options = {}) {
   filled.holes = fill_all_holes(filled.model, options);
   for (std::size_t i = 0; i < scan.points.size(); ++i) EXPECT_EQ(filled.model.soup.points[i], scan.points[i]);
   EXPECT_TRUE(find_boundary_loops(filled.model).empty());
+  return filled;
+}
+
+/// The hole of a sheet alone, not its outline.
+Filled fill_hole(const TriangleSoup& scan) {
+  Filled filled{make_surface_model(scan), scan.points.size(), {}};
+  std::vector<BoundaryLoop> holes = find_boundary_loops(filled.model);
+  std::erase_if(holes, [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; });
+  filled.holes = fill_holes(filled.model, holes, {}, {}, CancelToken());
   return filled;
 }
 
@@ -106,6 +117,71 @@ TEST(SharpEdges, AConcaveEdgeComesBack) {
   const Filled filled = fill(without_ball(inside, {1, 0, 0.4}, 0.25));
   EXPECT_EQ(filled.patch().made_by, "sharp edges");
   EXPECT_LT(filled.farthest(off_cube), 1e-9);
+}
+
+/// A sheet [−1, 1]² that is folded along lines y = constant, with a round hole in its middle.
+struct FoldedSheet {
+  std::vector<double> folds;       ///< x in the sheet, ascending
+  std::vector<double> directions;  ///< degrees from the x axis to z: of the parts between
+  double hole;                     ///< radius in the sheet
+
+  Eigen::Vector2d corner(std::size_t k) const {  // where part k begins
+    if (k == 0) return {0, 0};
+    const double from = k == 1 ? -1 : folds[k - 2], angle = directions[k - 1] * std::numbers::pi / 180;
+    return corner(k - 1) + (folds[k - 1] - from) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  }
+  Vec3 place(const Vec3& p) const {
+    const auto k = static_cast<std::size_t>(std::upper_bound(folds.begin(), folds.end(), p.x() + 1e-9) - folds.begin());
+    const double angle = directions[k] * std::numbers::pi / 180, along = p.x() - (k == 0 ? -1 : folds[k - 1]);
+    const Eigen::Vector2d q = corner(k) + along * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    return {q.x(), p.y(), q.y()};
+  }
+  TriangleSoup scan() const {
+    TriangleSoup soup =
+        cut(make_graph([](double, double) { return 0.0; }, 2, 48), [this](const Vec3& p) { return p.norm() < hole; });
+    for (Vec3& p : soup.points) p = place(p);
+    return soup;
+  }
+  double distance(const Vec3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      const double begin = k == 0 ? -1 : folds[k - 1], end = k == folds.size() ? 1 : folds[k];
+      const double angle = directions[k] * std::numbers::pi / 180;
+      const Eigen::Vector2d axis(std::cos(angle), std::sin(angle)), d = Eigen::Vector2d(p.x(), p.z()) - corner(k);
+      least = std::min(least, (d - std::clamp(d.dot(axis), 0.0, end - begin) * axis).norm());
+    }
+    return least;
+  }
+  double farthest(const Filled& filled) const {
+    double largest = 0;
+    for (std::size_t i = filled.points; i < filled.model.soup.points.size(); ++i)
+      largest = std::max(largest, distance(filled.model.soup.points[i]));
+    return largest;
+  }
+};
+
+/// Their ends may lie a vertex beside the folds of the sheet.
+TEST(SharpEdges, SeveralEdgesRunAcrossAHoleWiderThanTheirDistance) {
+  const double cell = 1.0 / 24;
+  const FoldedSheet step{{-3 * cell, 3 * cell}, {0, 90, 0}, 0.45}, plate{{-3 * cell, 3 * cell}, {0, 90, 180}, 0.35},
+      ramp{{-4 * cell, 4 * cell}, {0, 60, 0}, 0.45};
+  for (const FoldedSheet& sheet : {step, plate, ramp}) {
+    const Filled filled = fill_hole(sheet.scan());
+    EXPECT_EQ(filled.patch().made_by, "sharp edges") << sheet.directions[1];
+    EXPECT_NE(filled.holes.front().verdict().grade, Grade::bad) << filled.holes.front().verdict().message();
+    EXPECT_LT(sheet.farthest(filled), 1.01 * cell);
+  }
+}
+
+/// An edge of so few degrees bends by more than what is a fold elsewhere.
+TEST(SharpEdges, AKnifesEdgeIsNoFold) {
+  for (const double bend : {140.0, 155.0}) {
+    const FoldedSheet sheet{{0}, {0, bend}, 0.25};
+    const Filled filled = fill_hole(sheet.scan());
+    EXPECT_EQ(filled.patch().made_by, "sharp edges") << bend;
+    EXPECT_EQ(filled.holes.front().verdict().grade, Grade::good) << filled.holes.front().verdict().message();
+    EXPECT_LT(sheet.farthest(filled), 1e-9);
+  }
 }
 
 TEST(SharpEdges, AStripMissingInAFaceBetweenTwoEdgesIsPlane) {
