@@ -5,6 +5,7 @@
 
 #include "dialogs/export_dialog.h"
 #include "dialogs/repair_dialog.h"
+#include "document/fill_report.h"
 #include "document/hole_table.h"
 #include "document/labels.h"
 #include "io/read_mesh.h"
@@ -129,6 +130,7 @@ class RepairTest : public QObject {
   void a_dome_over_a_flat_loop_is_red();
 
  private:
+  void the_report_begins_with(Shown& window, int loop);
   QTemporaryDir folder_;
 };
 
@@ -386,6 +388,36 @@ void RepairTest::dragon_is_stitched_watertight() {
   QVERIFY(verdict(window).startsWith(QStringLiteral("Watertight")));
 }
 
+TriangleSoup big_icosphere() {
+  TriangleSoup sphere = make_icosphere(3);
+  for (Vec3& p : sphere.points) p *= 100;
+  return sphere;
+}
+
+/// Whatever larger holes there are.
+void RepairTest::the_report_begins_with(Shown& window, int loop) {
+  const Document& document = window.document();
+  window.open({scan_file(folder_, QStringLiteral("two_holes.ply"),
+                         cut(big_icosphere(), [](const Vec3& p) { return p.z() > 80 || p.z() < -95; }))},
+              OpenMode::add);
+  QVERIFY(wait_until([&] { return document.scans().size() == 2 && !window.controller().busy(); }));
+  std::set<int> added;
+  for (int other = 1; other < document.loop_count(); ++other)
+    if (document.fillable(other)) added.insert(other);
+  QCOMPARE(added.size(), std::size_t{2});
+  window.selection().select(added);
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 2 * minutes));
+  const FillReport report = fill_report(document);
+  QCOMPARE(report.holes.size(), std::size_t{3});
+  QCOMPARE(report.holes[0].loop, loop);
+  const auto size = [&](std::size_t k) { return document.loop(report.holes[k].loop).diameter; };
+  QVERIFY2(size(1) > size(2) && size(2) > size(0),
+           qPrintable(QStringLiteral("%1 %2 %3").arg(size(0)).arg(size(1)).arg(size(2))));
+  for (int k = 0; k < 2; ++k) window.undo().undo();  // the fill, the scan
+  QCOMPARE(document.scans().size(), std::size_t{1});
+  window.selection().select({});
+}
+
 void RepairTest::a_dome_over_a_flat_loop_is_red() {
   Shown window({write_rough_bowl(folder_.filePath(QStringLiteral("bowl.ply")))});
   auto* table = part<QTableView>(window, "holesTable");
@@ -414,6 +446,7 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   key(window, Qt::Key_L);
   QCOMPARE(window.selection().selected(), std::set<int>{0});
   window.selection().select({});
+  the_report_begins_with(window, 0);
   // The flat cap that is made by default is marked by nothing.
   key(window, Qt::Key_Z, Qt::ControlModifier);
   window.selection().select({0});
