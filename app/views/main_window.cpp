@@ -190,7 +190,7 @@ void MainWindow::build_docks() {
   connect(&patch_->decision_box(), &DecisionBox::seam_wanted, bottom,
           [bottom] { bottom->setVisible(bottom->isHidden()); });
   resizeDocks({holes}, {370}, Qt::Horizontal);
-  resizeDocks({holes, right}, {270, 500}, Qt::Vertical);
+  resizeDocks({holes, right}, {320, 450}, Qt::Vertical);
   resizeDocks({bottom}, {214}, Qt::Vertical);
 }
 

@@ -436,6 +436,9 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   QVERIFY2(!sentence().contains(QStringLiteral("smaller")), qPrintable(sentence()));
   const QString tip = state.data(Qt::ToolTipRole).toString();
   QVERIFY2(tip.contains(said), qPrintable(tip));
+  auto* verdict = window.findChild<QLabel*>(QStringLiteral("holeVerdict"));
+  QVERIFY2(verdict->text().startsWith(QStringLiteral("Hole 1: bad. A dome ")), qPrintable(verdict->text()));
+  QVERIFY2(verdict->text().contains(QStringLiteral("Trim crossing triangles")), qPrintable(verdict->text()));
   window.selection().select({});
   settle();
   QVERIFY2(pixels_of(table, state, red) > 5, "the sign in the table is not red");
@@ -444,6 +447,9 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   QCOMPARE(table->model()->rowCount(), 1);
   group->setCurrentIndex(0);
   key(window, Qt::Key_L);
+  QCOMPARE(window.selection().selected(), std::set<int>{0});
+  window.selection().select({});
+  press(window, "nextToLookAtButton");
   QCOMPARE(window.selection().selected(), std::set<int>{0});
   window.selection().select({});
   the_report_begins_with(window, 0);
