@@ -144,6 +144,21 @@ void MainWindow::connect_view_actions() {
   a.on("selectAll", holes_, &HolesPanel::select_all_holes);
 }
 
+/// No question: the scan can be filled as it is, and a room scanned from within is right.
+void MainWindow::connect_sides() {
+  connect(&sides_, &SideCheck::open_body_looks_inward, this, [this](int scan) {
+    banner_->offer(tr("%1: the faces look inward, so that the outside is drawn as an inside. Of a room scanned from "
+                      "within that is right; else turn them around.")
+                       .arg(document_.scan(scan)->name),
+                   {{tr("&Turn around"), "answerTurnAround", [this, scan] { controller_.turn_around(scan); }}});
+  });
+  connect(&sides_, &SideCheck::bodies_are_inside_out, this, [this](int scan, int count) {
+    banner_->offer(tr("%1: %Ln bodies or cavities are inside out. Repair turns them.", nullptr, count)
+                       .arg(document_.scan(scan)->name),
+                   {{tr("&Repair\u2026"), "answerRepair", [this] { show_repair_dialog(); }}});
+  });
+}
+
 void MainWindow::connect_patch_actions() {
   const WindowActions& a = *actions_;
   a.on("fillAction", &patch_->fill_box(), [box = &patch_->fill_box()] { box->fill_and_smooth(); });
@@ -151,7 +166,8 @@ void MainWindow::connect_patch_actions() {
   for (const auto& [name, what] : {std::pair{"trimAction", ScanRepair::trim},
                                    {"trimCrossingAction", ScanRepair::trim_crossing},
                                    {"stitchAction", ScanRepair::stitch},
-                                   {"prepareAction", ScanRepair::prepare}})
+                                   {"prepareAction", ScanRepair::prepare},
+                                   {"turnAroundAction", ScanRepair::turn_around}})
     a.on(name, this, [this, repair = what] { patch_->fill_box().repair_scans(repair); });
   a.on("eraseRingAction", this, [this] { controller_.repair_scans(ScanRepair::erase, selection_.selected()); });
   a.on("partAction", this, [this] { controller_.repair_scans(ScanRepair::part, selection_.selected()); });
@@ -283,6 +299,7 @@ void MainWindow::update_actions() {
   a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %Ln crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));
   follow("repairAction", "repair");
   follow("prepareAction", "repair");
+  follow("turnAroundAction", "repair");
   const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
   a["eraseRingAction"]->setEnabled(idle && !loops_to_fill(document_, selection_).empty() &&
                                    !selection_.selected().empty());
