@@ -186,7 +186,7 @@ MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
   }
   impl_->ghosts.surface().set_shading(Shading::plain);
   impl_->ghosts.surface().set_edges(Edges::shown);
-  impl_->marked.surface().set_shading(Shading::plain);
+  impl_->marked.surface().set_shading(Shading::scan);  // its own colours, where it has some
   impl_->loops.add_to(impl_->renderer);
   for (vtkActor* line : impl_->loops.actors()) impl_->renderer->add_still(line, CachedBackground::Part::line);
   impl_->legend.add_to(impl_->renderer);

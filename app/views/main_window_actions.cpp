@@ -340,10 +340,11 @@ void MainWindow::ask_preferences() {
 }
 
 void MainWindow::show_repair_dialog() {
-  if (auto* open = findChild<RepairDialog*>())
-    open->raise();
-  else
-    show_beside<RepairDialog>(this, document_, controller_);
+  if (auto* open = findChild<RepairDialog*>()) return open->raise();
+  const auto* dialog = show_beside<RepairDialog>(this, document_, controller_);
+  connect(dialog, &RepairDialog::marked, view_, &MeshView::show_marked);
+  connect(dialog, &RepairDialog::place_wanted, view_,
+          [this](const DefectPlace& place) { view_->fly_to_place(place.center, place.radius, place.direction); });
 }
 
 void MainWindow::show_candidates() {

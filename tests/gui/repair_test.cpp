@@ -120,6 +120,7 @@ class RepairTest : public QObject {
   void patches_are_exported_by_themselves();
   void what_is_new_is_labelled();
   void defects_are_listed_and_repaired_one_by_one();
+  void defects_are_marked_in_the_view();
   void bodies_become_one_data();
   void bodies_become_one();
   void preparing_does_what_the_command_line_does_with_auto();
@@ -230,6 +231,31 @@ void RepairTest::defects_are_listed_and_repaired_one_by_one() {
   QVERIFY(has_counted(dialog));
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
   dialog->close();
+}
+
+void RepairTest::defects_are_marked_in_the_view() {
+  TriangleSoup soup = make_icosphere(3);
+  const int first = static_cast<int>(soup.points.size());
+  for (const Vec3& p : {Vec3(0, 0, 1.3), Vec3(0.04, 0, 1.3), Vec3(0, 0.04, 1.3)}) soup.points.push_back(p);
+  soup.triangles.push_back({first, first + 1, first + 2});
+  Shown window({scan_file(folder_, QStringLiteral("fragment.ply"), soup)});
+  const auto is_red_in_the_middle = [&] {
+    const QImage picture = window.view().picture();
+    const QColor color = picture.pixelColor(picture.rect().center());
+    return color.red() > 130 && color.red() > 2 * color.green();
+  };
+  RepairDialog* dialog = repair_dialog(window);
+  QVERIFY(dialog && has_counted(dialog));
+  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("showDuplicate"))->isEnabled());
+  fix(dialog, "showFragments");
+  QVERIFY(wait_until(is_red_in_the_middle));
+  const QString said = dialog->findChild<QLabel*>(QStringLiteral("repairSummary"))->text();
+  QVERIFY2(said.contains(QStringLiteral("Faces: 1, places: 1.")), qPrintable(said));
+  fix(dialog, "fixFragments");
+  QVERIFY(wait_idle(window) && has_counted(dialog));
+  QCOMPARE(dialog->findChild<QLabel*>(QStringLiteral("beforeFragments"))->text(), QStringLiteral("was 1"));
+  QCOMPARE(counted(dialog, "Fragments"), QStringLiteral("none"));
+  QVERIFY(wait_until([&] { return !is_red_in_the_middle(); }));
 }
 
 void RepairTest::bodies_become_one_data() {
