@@ -159,6 +159,7 @@ class FillController : public QObject {
   void activity_changed();
   void stage_changed(const QString& words);
   void progress_changed(int done, int total);  ///< total 0: not known
+  void share_done(double share);               ///< of the work, 0..1; only where it is known
   void flow_ended(RunEnd end);
   void preview_ready(SurfaceShapePtr shape);
   void preview_dropped();
