@@ -380,6 +380,7 @@ void MeshScene::set_legend_words(const LegendWords& words) {
 
 void MeshScene::set_legend(LegendPlace place) {
   impl_->legend_place = place;
+  impl_->legend.set_ground(place == LegendPlace::beside ? Legend::Ground::bare : Legend::Ground::plate);
   impl_->legend.add_to(place == LegendPlace::beside ? impl_->legend_renderer : impl_->renderer);
   impl_->update_legend();
 }
