@@ -64,11 +64,11 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
   layout->setContentsMargins(8, 6, 8, 8);
   layout->setSpacing(6);
   layout->addWidget(build_filter());
-  layout->addWidget(table_, 1);
+  layout->addWidget(table_, 3);
   auto* below = new QHBoxLayout;
   below->addWidget(summary_, 1);
   below->addWidget(all_);
-  layout->addWidget(new VerdictBox(document, selection));
+  layout->addWidget(new VerdictBox(document, selection), 1);
   layout->addLayout(below);
   auto* last = new QHBoxLayout;
   last->addWidget(make_fold("fillBySize", tr("Fill by size, outer rims"), small_));

@@ -15,7 +15,7 @@
 namespace loopmend {
 namespace {
 
-constexpr int lines = 3, fewest_lines = 2;  ///< in a low window; more are reached by scrolling
+constexpr int lines = 4, fewest_lines = 2;  ///< in a low window; more are reached by scrolling
 constexpr int refresh_ms = 120;             ///< while a flow runs
 
 }  // namespace
@@ -54,7 +54,7 @@ VerdictBox::VerdictBox(const Document& document, const HoleSelection& selection,
 
 int VerdictBox::height_of(int line_count) const { return line_count * label_->fontMetrics().lineSpacing() + 4; }
 
-QSize VerdictBox::sizeHint() const { return {QScrollArea::sizeHint().width(), height_of(lines)}; }
+QSize VerdictBox::sizeHint() const { return {QScrollArea::sizeHint().width(), height_of(fewest_lines)}; }
 
 QString VerdictBox::text() const { return label_->text(); }
 
