@@ -95,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
   connect_problems();
   connect_document();
   connect_sides();
+  connect_recent();
   connect_leisure();
   connect_panels();
   connect_file_actions();

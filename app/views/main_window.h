@@ -82,6 +82,7 @@ class MainWindow : public QMainWindow {
   void connect_controller();
   void connect_document();
   void connect_sides();
+  void connect_recent();
   void connect_leisure();
   void connect_panels();
   void connect_file_actions();
@@ -115,6 +116,7 @@ class MainWindow : public QMainWindow {
   Autosave autosave_;
   PrintCheck check_;
   SideCheck sides_;
+  QString to_be_pictured_;  ///< the file that was opened or saved last
   WindowActions* actions_;
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;

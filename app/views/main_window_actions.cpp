@@ -11,6 +11,7 @@
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/repair_dialog.h"
 #include "dialogs/shortcut_sheet.h"
+#include "document/recent_pictures.h"
 #include "document/targets.h"
 #include "jobs/change_surface.h"
 #include "panels/banner.h"
@@ -25,6 +26,7 @@
 #include "panels/player_bar.h"
 #include "panels/small_holes_box.h"
 #include "panels/theme.h"
+#include "panels/welcome.h"
 #include "views/file_controller.h"
 #include "views/film_source.h"
 #include "views/mesh_view.h"
@@ -38,6 +40,9 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
+
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -156,6 +161,25 @@ void MainWindow::connect_sides() {
     banner_->offer(tr("%1: %Ln bodies or cavities are inside out. Repair turns them.", nullptr, count)
                        .arg(document_.scan(scan)->name),
                    {{tr("&Repair\u2026"), "answerRepair", [this] { show_repair_dialog(); }}});
+  });
+}
+
+/// A picture of what was opened or saved, once it is drawn as a whole and nothing else is to be done.
+void MainWindow::connect_recent() {
+  constexpr int leisure_ms = 1500;
+  auto* leisure = new QTimer(this);
+  leisure->setSingleShot(true);
+  leisure->setInterval(leisure_ms);
+  for (auto signal : {&FillController::file_opened, &FillController::session_saved})
+    connect(&controller_, signal, this, [this, leisure](const QString& path) {
+      to_be_pictured_ = path;
+      leisure->start();
+    });
+  connect(leisure, &QTimer::timeout, this, [this, leisure] {
+    if (to_be_pictured_.isEmpty() || !document_.has_scan()) return;
+    if (controller_.busy() || view_->is_rough() || view_->is_flying()) return leisure->start();
+    save_recent_picture(std::exchange(to_be_pictured_, QString()), view_->picture());
+    welcome_->show_recent(recent_files());
   });
 }
 
