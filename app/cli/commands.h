@@ -67,6 +67,7 @@ struct RenderCommand {
   std::filesystem::path film;                   ///< of the flow on one hole; empty: a picture
   std::string flow = "mmcvf", mode = "steady";  ///< of a film
   double sigma = 10;                            ///< of a film by steps
+  double film_rate = 0, film_length = 0;        ///< of a film, as FilmPace
   std::string color = "auto";
   int width = 0, height = 0;      ///< pixels; 0: the default
   std::string view;               ///< "front", ...; empty: towards the holes

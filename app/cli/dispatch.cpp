@@ -106,6 +106,16 @@ void add_render(CLI::App& app, RenderCommand& command) {
       ->needs(film)
       ->capture_default_str();
   render
+      ->add_option("--film-rate", command.film_rate,
+                   "Of a film: states a second (default: up to ten, some six seconds in all)")
+      ->check(between(0.5, 50))
+      ->needs(film);
+  render
+      ->add_option("--film-length", command.film_length,
+                   "Of a film: it lasts at least so many seconds; each state is seen for longer")
+      ->check(between(0, 600))
+      ->needs(film);
+  render
       ->add_option("--color", command.color,
                    "scan: the scan's own colours or texture; h: mean curvature; plain; "
                    "zebra: reflection lines; auto: scan where it has colours, else h")

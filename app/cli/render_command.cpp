@@ -41,6 +41,7 @@ RenderOptions options_of(const RenderCommand& command) {
   if (!command.view.empty()) options.view = views.at(command.view);
   options.eye = command.direction;
   options.loop = command.loop;
+  options.pace = {command.film_rate, command.film_length};
   return options;
 }
 

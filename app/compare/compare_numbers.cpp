@@ -16,6 +16,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -104,10 +105,12 @@ CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWid
   connect(which_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareNumbers::update_energies);
   for (FlowKind flow : {FlowKind::mcf, FlowKind::sdf, FlowKind::wf, FlowKind::mmcvf})
     for (Plot* plot : {energies_, profiles_})
-      plot->add_graph(Plot::Side::left, labels::flow_name(flow), Plot::Line::solid, ink_of(flow));
+      plot->add_graph(Plot::Side::left, QString::fromStdString(upper_name(flow)), Plot::Line::solid, ink_of(flow));
   for (Plot* plot : {energies_, profiles_}) plot->set_axis(Plot::Side::left, Plot::Scale::linear);
-  profiles_->leave_out_of_fit(0);  // MCF: a crease's curvature would leave the others flat
-  for (Plot* plot : {energies_, profiles_}) plot->drop_legend();  // the headings of the views have the colours
+  profiles_->leave_out_of_fit(0);    // MCF: a crease's curvature would leave the others flat
+  constexpr int least_height = 190;  // with two lines of legend and a name below
+  for (Plot* plot : {energies_, profiles_}) plot->setMinimumHeight(least_height);
+  energies_->set_name_below(tr("Step"));
   const auto titled = [](QWidget* title, Plot* plot) {
     auto* column = new QVBoxLayout;
     column->setSpacing(3);
@@ -153,13 +156,23 @@ void CompareNumbers::update_all() {
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                          rows * table_->verticalHeader()->defaultSectionSize() + 4);
   table_->resizeColumnsToContents();
-  table_->setFixedWidth(table_->horizontalHeader()->length() + 2 * table_->frameWidth() + 2);
+  fit_width();
   update_energies();
   update_across();
 }
 
+/// No figure is cut off. While flows run, columns grow and never shrink: the plots beside them would not come to rest.
+void CompareNumbers::fit_width() {
+  for (int c = 0; c < table_->columnCount(); ++c) {
+    const int needed = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(c);
+    table_->setColumnWidth(c, std::max(table_->columnWidth(c), needed + 2));
+  }
+  table_->setFixedWidth(table_->horizontalHeader()->length() + 2 * table_->frameWidth() + 2);
+}
+
 void CompareNumbers::update_flow_run(int flow_run) {
   fill_row(flow_run + 1, live_row(*flow_comparison_.flow_run(flow_run)));
+  fit_width();
   update_energies();
   update_across();
 }
@@ -182,6 +195,10 @@ void CompareNumbers::update_energies() {
   }
   constexpr double wide = 20;  // from here on a straight scale shows nothing of the end
   energies_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
+  const QString unit = which_->currentIndex() == variation ? tr("1/length\u00b2")
+                       : which_->currentIndex() == bending ? tr("no unit")
+                                                           : tr("length\u00b2");
+  energies_->set_axis_name(Plot::Side::left, unit);
   energies_->show_words(moved ? QString() : tr("Run the flows, and their energies are drawn here."));
   energies_->redraw();
 }
@@ -194,6 +211,8 @@ void CompareNumbers::show_across(Across across) {
 void CompareNumbers::update_across() {
   across_title_->setText(across_ == Across::curvature ? tr("H across the seam, patch right of 0")
                                                       : tr("% of vertices at each distance"));
+  profiles_->set_axis_name(Plot::Side::left, across_ == Across::curvature ? tr("H, 1/length") : tr("% of vertices"));
+  profiles_->set_name_below(tr("Distance, length"));  // room for two words
   across_ == Across::curvature ? update_profiles() : update_histogram();
 }
 

@@ -34,6 +34,7 @@ class CompareNumbers : public QWidget {
   void update_profiles();
   void update_across();
   void update_histogram();
+  void fit_width();
   void fill_row(int row, const std::vector<std::string>& cells);
 
   const ComparisonController& flow_comparison_;

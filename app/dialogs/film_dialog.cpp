@@ -50,6 +50,17 @@ void FilmDialog::build() {
     size_->addItem(tr("%1 \u00d7 %2 pixels").arg(size.width()).arg(size.height()), size);
   }
   size_->setCurrentIndex(1);
+  rate_ = new QComboBox;
+  rate_->setObjectName(QStringLiteral("filmRate"));
+  explain(rate_, tr("Speed"), tr("How many states are shown in a second"));
+  rate_->addItem(tr("By the number of states"), 0.0);
+  for (const double rate : {1.0, 2.0, 4.0, 10.0, 25.0}) rate_->addItem(tr("%1 a second").arg(rate), rate);
+  length_ = new QComboBox;
+  length_->setObjectName(QStringLiteral("filmLength"));
+  explain(length_, tr("Length"), tr("A film that would be shorter shows each state for longer"));
+  length_->addItem(tr("As it comes"), 0.0);
+  for (const double seconds : {10.0, 20.0, 30.0})
+    length_->addItem(tr("At least %1 seconds").arg(seconds), seconds);
   auto* about = new QLabel(tr("The view as it is now, through %Ln state(s) of the flow.", nullptr,
                               static_cast<int>(states_of_film(source_.states).size())));
   about->setWordWrap(true);
@@ -72,12 +83,18 @@ void FilmDialog::build() {
   form->setVerticalSpacing(10);
   form->addRow(about);
   form->addRow(tr("Si&ze"), size_);
+  form->addRow(tr("S&peed"), rate_);
+  form->addRow(tr("&Length"), length_);
   form->addRow(progress_);
   form->addRow(fault_);
   form->addRow(buttons);
 }
 
 QSize FilmDialog::wanted_size() const { return size_->currentData().toSize(); }
+
+FilmPace FilmDialog::wanted_pace() const {
+  return {rate_->currentData().toDouble(), length_->currentData().toDouble()};
+}
 
 void FilmDialog::ask_and_save() {
   QString path =
@@ -92,7 +109,7 @@ void FilmDialog::save(const QString& path) {
   path_ = path;
   pixels_ = wanted_size();
   shown_ = states_of_film(source_.states);
-  durations_ = film_durations(shown_.size());
+  durations_ = film_durations(shown_.size(), wanted_pace());
   samples_.clear();
   drawn_ = 0;
   writing_ = nullptr;
@@ -102,7 +119,7 @@ void FilmDialog::save(const QString& path) {
   progress_->setValue(0);
   progress_->show();
   save_->setEnabled(false);
-  size_->setEnabled(false);
+  for (QComboBox* box : {size_, rate_, length_}) box->setEnabled(false);
   clock_.start();
 }
 
@@ -147,7 +164,7 @@ void FilmDialog::stop() {
   if (writing_) writing_->end();
   progress_->hide();
   save_->setEnabled(true);
-  size_->setEnabled(true);
+  for (QComboBox* box : {size_, rate_, length_}) box->setEnabled(true);
 }
 
 void FilmDialog::fail(const QString& words) {

@@ -46,6 +46,7 @@ class FilmDialog : public QDialog {
  private:
   void build();
   QSize wanted_size() const;
+  FilmPace wanted_pace() const;
   void ask_and_save();
   void draw_next();
   void begin_writing();
@@ -53,7 +54,7 @@ class FilmDialog : public QDialog {
   void fail(const QString& words);
 
   FilmSource source_;
-  QComboBox* size_ = nullptr;
+  QComboBox *size_ = nullptr, *rate_ = nullptr, *length_ = nullptr;
   QLabel* fault_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* save_ = nullptr;

@@ -85,9 +85,13 @@ RepairDialog::RepairDialog(const Document& document, FillController& controller,
   setWindowTitle(tr("Repair"));
   build();
   connect(&document_, &Document::scans_changed, this, &RepairDialog::count);
-  connect(&document_, &Document::opened, this, [this] { done_.clear(); });
+  connect(&document_, &Document::opened, this, [this] {
+    done_.clear();
+    for (auto& [defect, row] : rows_) row.found_before.reset();
+  });
   connect(&controller_, &FillController::repaired, this, [this](const QString& words) {
     done_ = words;
+    for (auto& [defect, row] : rows_) row.found_before = row.found_at_start;
     if (!job_) tell();
   });
   connect(&controller_, &FillController::activity_changed, this, &RepairDialog::update_buttons);
@@ -102,7 +106,7 @@ void RepairDialog::build() {
   summary_ = new SteadyLabel;
   summary_->setObjectName(QStringLiteral("repairSummary"));
   summary_->keep_room_for({QStringLiteral("1\n2\n3\n4")});  // what was done takes some lines
-  grid->addWidget(summary_, 0, 0, 1, 3);
+  grid->addWidget(summary_, 0, 0, 1, 5);
   int line = 1;
   for (const Words& words : all_words) {
     Row& row = rows_[words.defect];
@@ -112,14 +116,27 @@ void RepairDialog::build() {
     row.count->setObjectName(QStringLiteral("count") + QLatin1String(words.name));
     row.count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row.count->setMinimumWidth(row.count->fontMetrics().horizontalAdvance(labels::count(1'000'000)));
+    row.before = make_note((QByteArray("before") + words.name).constData());
+    row.before->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.before->setMinimumWidth(
+        row.before->fontMetrics().horizontalAdvance(tr("was %1").arg(labels::count(1'000'000))));
+    const QString help =
+        tr("Mark in the view the faces that the repair would remove or change, and fly there; once more: to the next "
+           "place");
+    row.show = make_button((QByteArray("show") + words.name).constData(), tr("Show"), help);
+    row.show->setAccessibleName(tr("%1: %2").arg(tr(words.title), tr("Show")));
+    row.show->setAutoDefault(false);
+    connect(row.show, &QPushButton::clicked, this, [this, defect = words.defect] { show_defect(defect); });
     const QByteArray name = QByteArray("fix") + words.name;
     row.fix = make_button(name.constData(), tr(words.fix), tr(words.help));
     row.fix->setAccessibleName(tr("%1: %2").arg(tr(words.title), tr(words.fix)));
     row.fix->setAutoDefault(false);
     connect(row.fix, &QPushButton::clicked, this, [this, defect = words.defect] { controller_.repair({defect}); });
     grid->addWidget(title, line, 0);
-    grid->addWidget(row.count, line, 1);
-    grid->addWidget(row.fix, line++, 2);
+    grid->addWidget(row.before, line, 1);
+    grid->addWidget(row.count, line, 2);
+    grid->addWidget(row.show, line, 3);
+    grid->addWidget(row.fix, line++, 4);
   }
   grid->setColumnStretch(0, 1);
   auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
@@ -134,14 +151,17 @@ void RepairDialog::build() {
     controller_.repair(all);
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  grid->addWidget(buttons, line, 0, 1, 3);
+  grid->addWidget(buttons, line, 0, 1, 5);
 }
 
 void RepairDialog::count() {
+  const bool were_known = !job_;  // a repair changes the scans twice: one comes, one goes
   drop(job_);
+  drop_marks();
   const bool any = document_.has_scan();
   summary_->setText(any ? tr("Looking for defects\u2026") : tr("No scan is open."));
   for (auto& [defect, row] : rows_) {
+    if (were_known) row.found_at_start = row.found;
     row.found = 0;
     row.count->setText(any ? QStringLiteral("\u2026") : QStringLiteral("\u2013"));
   }
@@ -178,6 +198,10 @@ void RepairDialog::show_counts(const RepairCounts& counts) {
   for (auto& [defect, row] : rows_) {
     row.found = count_of(defect, counts);
     row.count->setText(row.found > 0 ? labels::count(row.found) : tr("none"));
+    const bool is_other = row.found_before && *row.found_before != row.found;
+    row.before->setText(!is_other                ? QString()
+                        : *row.found_before == 0 ? tr("was none")
+                                                 : tr("was %1").arg(labels::count(*row.found_before)));
   }
   tell();
   update_buttons();
@@ -195,11 +219,65 @@ void RepairDialog::tell() {
   summary_->setText(lines.join(QLatin1Char('\n')));
 }
 
+void RepairDialog::show_defect(Defect defect) {
+  if (shown_ == defect && !marking_) return go_to_next_place();
+  drop_marks();
+  shown_ = defect;
+  summary_->setText(tr("Looking for the places\u2026"));
+  std::vector<std::shared_ptr<const OpenedScan>> scans;
+  for (int index : document_.scans()) scans.push_back(document_.scan(index));
+  marking_ = std::make_shared<Job>(this);
+  tasks_.run(
+      marking_,
+      [scans, defect, origin = document_.origin(), job = marking_] {
+        return find_defect_places(scans, defect, origin, job->token());
+      },
+      [this](DefectPlaces found) {
+        marking_.reset();
+        places_ = std::move(found);
+        Q_EMIT marked(places_.shape);
+        go_to_next_place();
+      },
+      [this](const QString& text) {
+        marking_.reset();
+        summary_->setText(text);
+      });
+}
+
+void RepairDialog::go_to_next_place() {
+  if (places_.places.empty()) {
+    summary_->setText(tr("This repair would change no face: it joins or parts vertices alone."));
+    return;
+  }
+  std::size_t faces = 0;
+  for (const DefectPlace& place : places_.places) faces += place.faces;
+  const std::size_t at = next_place_++ % places_.places.size();
+  summary_->setText(tr("Red: what this repair would remove or change. Faces: %1, places: %2. Place %3 is in the view; "
+                       "Show goes to the next.")
+                        .arg(labels::count(faces), labels::count(places_.places.size()), labels::count(at + 1)));
+  Q_EMIT place_wanted(places_.places[at]);
+}
+
+void RepairDialog::drop_marks() {
+  drop(marking_);
+  if (!shown_) return;
+  shown_.reset();
+  places_ = {};
+  next_place_ = 0;
+  Q_EMIT marked(nullptr);
+}
+
+void RepairDialog::hideEvent(QHideEvent* event) {
+  drop_marks();
+  QDialog::hideEvent(event);
+}
+
 void RepairDialog::update_buttons() {
   const bool idle = !controller_.busy();
   bool any = false;
   for (auto& [defect, row] : rows_) {
     row.fix->setEnabled(idle && row.found > 0);
+    row.show->setEnabled(idle && row.found > 0);
     any = any || (row.found > 0 && is_defect_for_sure(defect));
   }
   all_->setEnabled(idle && any);

@@ -3,7 +3,6 @@
 
 #include "core/version.h"
 #include "document/command_line.h"
-#include "document/hole_table.h"
 #include "document/labels.h"
 #include "document/message_words.h"
 #include "document/targets.h"
@@ -17,6 +16,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -36,12 +36,29 @@ double area_of(const TriangleSoup& soup) {
   return area;
 }
 
-QString color_of(const Document& document, int loop) {
+/// In the order in which a person should look at them.
+enum class Rank { bad, look, not_judged, good };
+
+Rank rank_of(const Document& document, int loop) {
+  if (document.state(loop) == HoleState::cutting) return Rank::bad;
   const Verdict* verdict = document.verdict(loop);
-  if (document.state(loop) == HoleState::cutting || (verdict && verdict->grade == Grade::bad))
-    return QStringLiteral("#b3261e");
-  if (!verdict) return QStringLiteral("#5f6368");
-  return verdict->grade == Grade::look ? QStringLiteral("#9a6700") : QStringLiteral("#1f7a3d");
+  if (!verdict) return Rank::not_judged;
+  switch (verdict->grade) {
+    case Grade::bad: return Rank::bad;
+    case Grade::look: return Rank::look;
+    case Grade::good: break;
+  }
+  return Rank::good;
+}
+
+QString color_of(const Document& document, int loop) {
+  switch (rank_of(document, loop)) {
+    case Rank::bad: return QStringLiteral("#b3261e");
+    case Rank::look: return QStringLiteral("#9a6700");
+    case Rank::not_judged: return QStringLiteral("#5f6368");
+    case Rank::good: break;
+  }
+  return QStringLiteral("#1f7a3d");
 }
 
 FillReport::Hole hole_of(const Document& document, int loop) {
@@ -77,15 +94,14 @@ FillReport::Hole hole_of(const Document& document, int loop) {
   return hole;
 }
 
-/// Loops with a patch, in the order in which a person should look at them.
+/// Loops with a patch: bad, to look at, not judged, good; each by falling size.
 std::vector<int> loops_in_order(const Document& document) {
-  const HoleTable table(document);
   std::vector<int> loops;
   for (int loop = 0; loop < document.loop_count(); ++loop)
     if (document.present(loop) && document.patch_of(loop)) loops.push_back(loop);
   std::stable_sort(loops.begin(), loops.end(), [&](int a, int b) {
-    const auto key = [&](int loop) { return table.data(table.index(loop, HoleTable::state), HoleTable::sort_role); };
-    return key(a).toInt() < key(b).toInt();
+    return std::pair(rank_of(document, a), -document.loop(a).diameter) <
+           std::pair(rank_of(document, b), -document.loop(b).diameter);
   });
   return loops;
 }
@@ -109,21 +125,17 @@ QString size_of_patches(const FillReport& report) {
 /// @param unnamed  open loops beside those that the report names
 QStringList facts_of(const Document& document, const FillReport& report, std::size_t unnamed) {
   QStringList facts;
-  std::size_t good = 0, look = 0, bad = 0;
-  for (const FillReport::Hole& hole : report.holes) {
-    const Verdict* verdict = document.verdict(hole.loop);
-    const bool cuts = document.state(hole.loop) == HoleState::cutting;
-    bad += cuts || (verdict && verdict->grade == Grade::bad);
-    look += !cuts && verdict && verdict->grade == Grade::look;
-    good += !cuts && verdict && verdict->grade == Grade::good;
-  }
+  const auto count = [&](Rank rank) {
+    return std::count_if(report.holes.begin(), report.holes.end(),
+                         [&](const FillReport::Hole& hole) { return rank_of(document, hole.loop) == rank; });
+  };
   const auto left_out = static_cast<std::size_t>(loops_left_out(document));
   facts << tr("Holes with a patch: %1 (%2 good, %3 to look at, %4 bad, %5 not judged). Open: %6. Left out: %7.")
                .arg(report.holes.size())
-               .arg(good)
-               .arg(look)
-               .arg(bad)
-               .arg(report.holes.size() - good - look - bad)
+               .arg(count(Rank::good))
+               .arg(count(Rank::look))
+               .arg(count(Rank::bad))
+               .arg(count(Rank::not_judged))
                .arg(static_cast<std::size_t>(report.open.size()) + unnamed - left_out)
                .arg(left_out);
   const std::vector<int> scans = document.scans();

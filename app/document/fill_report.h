@@ -34,7 +34,7 @@ struct FillReport {
   QStringList remarks;  ///< what the command does not repeat
 };
 
-/// Holes that a person should look at come first. Pictures are empty.
+/// Holes that a person should look at come first: bad, look, not judged, good; among these the largest. Pictures are empty.
 FillReport fill_report(const Document& document);
 
 enum class PictureLinks {

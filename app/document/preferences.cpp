@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/preferences.h"
 
+#include "document/recent_pictures.h"
+
 #include <QFileInfo>
 #include <QSettings>
 
@@ -56,12 +58,15 @@ void add_recent_file(const QString& path) {
   QStringList files = stored.value(recent_key).toStringList();
   files.removeAll(path);
   files.prepend(path);
-  stored.setValue(recent_key, QStringList(files.mid(0, most_recent_files)));
+  files = files.mid(0, most_recent_files);
+  stored.setValue(recent_key, files);
+  keep_recent_pictures(files);
 }
 
 void clear_recent_files() {
   QSettings stored = settings();
   stored.remove(recent_key);
+  keep_recent_pictures({});
 }
 
 WindowLayout load_window_layout() {

@@ -162,8 +162,11 @@ void FillController::start_fill(FillRequest request) {
     return;
   }
   if (total > 1)
-    run.progress = [this, job](int done, int all) {
-      job->post([this, done, all] { Q_EMIT progress_changed(done, all); });
+    run.progress = [this, job](int done, int all, double share) {
+      job->post([this, done, all, share] {
+        Q_EMIT progress_changed(done, all);
+        Q_EMIT share_done(share);
+      });
     };
   std::function<void()> wake;  // where no flow follows, all appear at once
   if (flows)

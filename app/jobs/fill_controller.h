@@ -45,6 +45,7 @@ enum class ScanRepair {
   bridge,         ///< --bridge A,B: a strip parts a hole into two, or joins two
   erase,          ///< faces that were painted go
   part,           ///< what hangs at a boundary by a vertex alone becomes an island
+  turn_around,    ///< --turn-around: every face looks the other way
 };
 
 struct RepairedScan;
@@ -121,6 +122,8 @@ class FillController : public QObject {
   void repair_scans(ScanRepair what, const std::set<int>& loops);
   /// ScanRepair::repair of these defects, in all scans.
   void repair(const std::set<Defect>& defects);
+  /// ScanRepair::turn_around of one scan.
+  void turn_around(int scan);
   /// A strip between these soup points of a scan; as with_bridge() of the engine.
   void bridge(int scan, int soup_a, int soup_b);
   /// A bridge, and one of the two holes that it makes filled and smoothed: one change for undo.
@@ -156,6 +159,7 @@ class FillController : public QObject {
   void activity_changed();
   void stage_changed(const QString& words);
   void progress_changed(int done, int total);  ///< total 0: not known
+  void share_done(double share);               ///< of the work, 0..1; only where it is known
   void flow_ended(RunEnd end);
   void preview_ready(SurfaceShapePtr shape);
   void preview_dropped();

@@ -15,7 +15,8 @@ void FillController::repair_scans(ScanRepair what, const std::set<int>& loops) {
   std::map<int, ScanRepairTask> by_scan;
   for (int loop : loops)
     if (document_.present(loop)) by_scan[document_.scan_of(loop)].loops.push_back(document_.loop(loop));
-  if (loops.empty() && (what == ScanRepair::stitch || what == ScanRepair::repair || what == ScanRepair::prepare))
+  if (loops.empty() && (what == ScanRepair::stitch || what == ScanRepair::repair || what == ScanRepair::prepare ||
+                        what == ScanRepair::turn_around))
     for (int scan : document_.scans()) by_scan[scan];
   if (by_scan.empty()) return;
   std::vector<ScanRepairTask> tasks;
@@ -36,6 +37,13 @@ void FillController::repair(const std::set<Defect>& defects) {
     tasks.push_back(std::move(task));
   }
   if (!tasks.empty()) run_repair(ScanRepair::repair, std::move(tasks));
+}
+
+void FillController::turn_around(int scan) {
+  if (busy() || !document_.scan(scan)) return;
+  ScanRepairTask task;
+  task.scan = scan;
+  run_repair(ScanRepair::turn_around, {std::move(task)});
 }
 
 void FillController::bridge(int scan, int soup_a, int soup_b) {

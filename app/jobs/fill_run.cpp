@@ -2,6 +2,7 @@
 #include "jobs/fill_run.h"
 
 #include "core/system_memory.h"
+#include "jobs/remaining_time.h"
 #include "jobs/state_making.h"
 
 #include <algorithm>
@@ -193,11 +194,23 @@ int FillRun::loops() const {
   return static_cast<int>(count);
 }
 
+double FillRun::work() const {
+  double sum = 0;
+  for (const FillTask& task : tasks) {
+    for (const auto& [index, loop] : task.wanted) sum += work_of(loop);
+    for (const auto& [state, loops] : task.moved)
+      for (const BoundaryLoop& loop : loops) sum += work_of(loop);
+  }
+  return sum;
+}
+
 FillOutcome fill_patches(const FillRun& run, RunRecorder& recorder, const Job& job) {
   FillOutcome outcome;
   std::set<int> begun;
   int done = 0;
   const int total = run.loops();
+  const double all_work = run.work();
+  double work_done = 0;
   for (const FillTask& task : run.tasks) {
     const auto begins = [&](const BoundaryLoop& loop) {
       return begun.insert(task.first_loop + loop.number - 1).second;
@@ -218,11 +231,18 @@ FillOutcome fill_patches(const FillRun& run, RunRecorder& recorder, const Job& j
     FillOptions options = task.options;
     options.most_memory_mb = memory_left_mb({});
     int of_task = 0;
+    std::map<int, double> work;  // by number; of holes that are solved together the first is named
+    for (const BoundaryLoop& loop : holes.loops) work[loop.number] = work_of(loop);
+    for (const InitialPatch& moved : holes.moved)
+      for (const BoundaryLoop& loop : moved.loops) work[loop.number] = work_of(loop);
     solve_holes(
         task.scan_context->index(), holes, options, recording.observer(),
         [&](const FillProgress& progress) {
+          work_done += (progress.loops_done - of_task) * work[progress.loop_number];
           of_task = progress.loops_done;
-          if (run.progress) run.progress(std::min(done + of_task, total), total);
+          if (run.progress)
+            run.progress(std::min(done + of_task, total), total,
+                         all_work > 0 ? std::min(work_done / all_work, 1.0) : 0);
         },
         job.pause_token());
     done += of_task;

@@ -46,10 +46,11 @@ struct FillRun {
   Pace pace = Pace::steady;
   int patches = 1;  ///< that share the time in which a step is shown, where they are watched
   Vec3 origin = Vec3::Zero();
-  std::function<void(int done, int total)>
-      progress;  ///< in loops; on several threads, one call at a time; may be empty
+  /// Of loops, and of the work that they are. On several threads, one call at a time; may be empty.
+  std::function<void(int done, int total, double share_of_work)> progress;
 
   int loops() const;
+  double work() const;
 };
 
 struct FillOutcome {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace loopmend {
 
@@ -235,6 +236,17 @@ std::optional<RepairedScan> parted(const ScanRepairTask& task) {
                       NewPoints{}};
 }
 
+/// What `fill --turn-around` does first.
+RepairedScan turned_around(const ScanRepairTask& task) {
+  const OpenedScan& old = *task.opened;
+  TriangleSoup soup = as_read(*old.model);
+  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+  const int count = static_cast<int>(soup.triangles.size());
+  return {
+      task.scan, made_scan(std::move(soup), old.name, old.origin), FillController::tr("Turn %1 around").arg(old.name),
+      FillController::tr("%1: %Ln face(s) were turned around; Ctrl+Z takes it back.", nullptr, count).arg(old.name)};
+}
+
 std::size_t count_loops(const OpenedScan& scan) {
   return static_cast<std::size_t>(
       std::count_if(scan.loops.begin(), scan.loops.end(), [](const auto& loop) { return loop.kind != LoopKind::cut; }));
@@ -262,6 +274,7 @@ std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask&
     case ScanRepair::bridge: result = bridged(task); break;
     case ScanRepair::erase: result = erased(task); break;
     case ScanRepair::part: result = parted(task); break;
+    case ScanRepair::turn_around: result = turned_around(task); break;
   }
   if (!result || !result->made) return result;
   result->made->repaired_from = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->repaired_from;
@@ -286,6 +299,7 @@ QString nothing_to_repair(ScanRepair what) {
     case ScanRepair::repair: return FillController::tr("There is nothing to repair.");
     case ScanRepair::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
     case ScanRepair::bridge:
+    case ScanRepair::turn_around:
     case ScanRepair::erase: break;
   }
   return {};
@@ -301,6 +315,7 @@ QString repair_title(ScanRepair what) {
     case ScanRepair::bridge: return FillController::tr("Bridging a hole");
     case ScanRepair::erase: return FillController::tr("Erasing a region");
     case ScanRepair::part: return FillController::tr("Parting a boundary");
+    case ScanRepair::turn_around: return FillController::tr("Turning the scan around");
   }
   return {};
 }

@@ -136,6 +136,17 @@ void Banner::drop_answers() {
 void Banner::ask(const QString& words, std::vector<Answer> answers) {
   show_words(words, Tone::question);
   timer_.stop();
+  add_answers(std::move(answers));
+  answers_.front()->setFocus();
+}
+
+void Banner::offer(const QString& words, std::vector<Answer> answers) {
+  show_words(words, Tone::notice);
+  timer_.stop();
+  add_answers(std::move(answers));
+}
+
+void Banner::add_answers(std::vector<Answer> answers) {
   for (Answer& answer : answers) {
     auto* button = make_button(answer.name, answer.text, {});
     button->setFocusPolicy(Qt::StrongFocus);
@@ -151,7 +162,6 @@ void Banner::ask(const QString& words, std::vector<Answer> answers) {
     answers_.push_back(button);
   }
   settle();
-  answers_.front()->setFocus();
 }
 
 void Banner::show_words(const QString& words, Tone tone) {

@@ -34,6 +34,8 @@ class Banner : public QFrame {
   };
   /// A question in place: the person may go on with something else meanwhile. Closing it means none of the answers.
   void ask(const QString& words, std::vector<Answer> answers);
+  /// Something that helps, which nothing waits for: the keys stay where they are.
+  void offer(const QString& words, std::vector<Answer> answers);
   /// What it says, nothing shortened.
   QString text() const { return text_; }
 
@@ -51,6 +53,7 @@ class Banner : public QFrame {
   void fit_words();
   enum class Tone { problem, notice, question };
   void drop_answers();
+  void add_answers(std::vector<Answer> answers);
   void show_words(const QString& words, Tone tone);
 
   QLabel* sign_;

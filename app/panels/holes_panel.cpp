@@ -9,6 +9,7 @@
 #include "panels/hole_delegate.h"
 #include "panels/parts.h"
 #include "panels/small_holes_box.h"
+#include "panels/verdict_box.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -52,6 +53,9 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
       summary_(new QLabel),
       all_(make_button("selectAllHoles", tr("Select all"),
                        tr("Select every hole; outer rims, cracks and cuts are left out"))),
+      next_(make_button("nextToLookAtButton", tr("Next to look at"),
+                        tr("Select the next hole whose patch has a fault or a doubt, or that stayed open, and fly "
+                           "there (L)"))),
       small_(new SmallHolesBox(document)) {
   setObjectName(QStringLiteral("holesPanel"));
   summary_->setObjectName(QStringLiteral("holesSummary"));
@@ -60,12 +64,17 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
   layout->setContentsMargins(8, 6, 8, 8);
   layout->setSpacing(6);
   layout->addWidget(build_filter());
-  layout->addWidget(table_, 1);
+  layout->addWidget(table_, 3);
   auto* below = new QHBoxLayout;
   below->addWidget(summary_, 1);
   below->addWidget(all_);
+  layout->addWidget(new VerdictBox(document, selection), 1);
   layout->addLayout(below);
-  layout->addWidget(make_fold("fillBySize", tr("Fill by size, outer rims"), small_));
+  auto* last = new QHBoxLayout;
+  last->addWidget(make_fold("fillBySize", tr("Fill by size, outer rims"), small_));
+  last->addStretch(1);
+  last->addWidget(next_);
+  layout->addLayout(last);
   layout->addWidget(small_);
   const QMargins around = layout->contentsMargins();
   setMinimumWidth(small_->minimumSizeHint().width() + around.left() +
@@ -85,6 +94,7 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
   });
   connect(model_, &QAbstractItemModel::headerDataChanged, this, &HolesPanel::fit_columns);
   connect(all_, &QPushButton::clicked, this, &HolesPanel::select_all_holes);
+  connect(next_, &QPushButton::clicked, this, [this] { go(Way::next_to_look_at); });
   connect(small_, &SmallHolesBox::fill_wanted, this, &HolesPanel::fill_wanted);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HolesPanel::take_selection);
   connect(table_, &QTableView::entered, this, [this](const QModelIndex& i) { selection_.hover(loop_at(i)); });
@@ -148,6 +158,8 @@ void HolesPanel::build_table() {
   table_->setMouseTracking(true);
   table_->viewport()->installEventFilter(this);
   table_->installEventFilter(this);
+  constexpr int lowest = 58;  // the head and a row
+  table_->setMinimumHeight(lowest);
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
@@ -325,13 +337,17 @@ void HolesPanel::paint_row(int loop) {
 
 void HolesPanel::update_summary() {
   int holes = 0, open = 0;
+  bool any_to_look_at = false;
   for (int loop = 0; loop < document_.loop_count(); ++loop) {
-    if (!document_.present(loop) || is_left_out(document_, loop)) continue;
+    if (!document_.present(loop)) continue;
+    any_to_look_at = any_to_look_at || document_.to_look_at(loop);
+    if (is_left_out(document_, loop)) continue;
     ++holes;
     if (!document_.patch_of(loop)) ++open;
   }
   const int left_out = loops_left_out(document_);
   all_->setEnabled(holes > 0);
+  next_->setEnabled(any_to_look_at);
   if (!document_.has_scan()) {
     summary_->setText(tr("No scan is open"));
   } else if (holes + left_out == 0) {

@@ -66,6 +66,7 @@ class HolesPanel : public QWidget {
   QComboBox* group_ = nullptr;
   QLabel* summary_;
   QPushButton* all_;
+  QPushButton* next_;
   SmallHolesBox* small_;
   int lit_ = no_loop;     ///< its row is painted as the one under the mouse
   bool several_ = false;  ///< scans are open

@@ -4,6 +4,7 @@
 #include "document/document.h"
 #include "document/hole_selection.h"
 #include "document/labels.h"
+#include "document/verdict_words.h"
 #include "panels/curve_views.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
@@ -238,16 +239,10 @@ void InspectPanel::update_seam() {
     return;
   }
   const int first = loops.front();
-  const OpenPatch& patch = *document_.patch_of(first);
-  const std::size_t at = patch.place_of(first);
-  if (at >= patch.state->seams.size()) return;
+  QString text = labels::seam_text(document_, first);
+  if (text.isEmpty()) return;
   const Verdict* verdict = document_.verdict(first);
-  QString text = labels::seam_sentence(patch.state->seams_before[at], patch.state->seams[at], patch.state->status,
-                                       verdict ? verdict->grade : Grade::good);
   if (verdict && verdict->grade != Grade::good) text = labels::sentence_of(*verdict) + QLatin1Char(' ') + text;
-  if (at < patch.state->deviation.loops.size())
-    if (const QString likely = labels::deviation_sentence(patch.state->deviation.loops[at]); !likely.isEmpty())
-      text += QLatin1Char(' ') + likely;
   sentence_->setText(tr("Hole %1: %2").arg(labels::hole_name(document_, first), text));
 }
 

@@ -135,6 +135,12 @@ void Plot::count_along() {
   take_colors();
 }
 
+void Plot::set_name_below(const QString& name) {
+  constexpr int few = 3;  // numbers of a narrow plot must not run into each other
+  plot_->xAxis->setLabel(name);
+  plot_->xAxis->ticker()->setTickCount(few);
+}
+
 void Plot::set_axis_name(Side side, const QString& name) { axis(side)->setLabel(name); }
 
 void Plot::set_data(int graph, const QVector<double>& x, const QVector<double>& y) {

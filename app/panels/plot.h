@@ -31,6 +31,7 @@ class Plot : public QWidget {
   /// The lower axis counts: ticks at whole numbers only.
   void count_along();
   void set_axis_name(Side side, const QString& name);
+  void set_name_below(const QString& name);
   /// @param ink  see plot_ink(). @returns the graph's index.
   int add_graph(Side side, const QString& name, Line line, int ink);
   /// Tints what lies between two graphs, in the colour of the first; they leave the legend's lines and the fit of the axis

@@ -2,12 +2,15 @@
 #include "panels/progress_box.h"
 
 #include "jobs/fill_controller.h"
+#include "jobs/remaining_time.h"
 #include "panels/parts.h"
 
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <cmath>
 
 namespace loopmend {
 namespace {
@@ -30,6 +33,13 @@ ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(
     // The style fills a bar without an end, which looks as if all was done; a sheet lets a part of it run to and fro.
     bar_->setStyleSheet(total > 0 ? QString() : QString::fromLatin1(running_part));
   });
+  connect(&controller_, &FillController::share_done, this, [this](double share) {
+    seconds_left_ = seconds_left(static_cast<double>(since_start_.elapsed()) / 1000, share);
+    since_told_.start();
+    show_left();
+  });
+  each_second_.setInterval(1000);
+  connect(&each_second_, &QTimer::timeout, this, &ProgressBox::show_left);
   update_state();
 }
 
@@ -51,12 +61,39 @@ void ProgressBox::build() {
   row->addWidget(stage_, 1);
   row->addWidget(cancel_);
   layout->addLayout(row);
-  layout->addWidget(bar_);
+  left_ = make_note("timeLeft");
+  left_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  left_->setMinimumWidth(left_->fontMetrics().horizontalAdvance(tr("about %1 min left").arg(99)));
+  auto* below = new QHBoxLayout;
+  below->addWidget(bar_, 1);
+  below->addWidget(left_);
+  layout->addLayout(below);
 }
 
 void ProgressBox::update_state() {
   cancel_->setEnabled(controller_.busy());
   bar_->setVisible(controller_.busy());
+  if (controller_.busy() == each_second_.isActive()) return;
+  seconds_left_.reset();
+  if (controller_.busy()) {
+    since_start_.start();
+    each_second_.start();
+  } else {
+    each_second_.stop();
+  }
+  show_left();
+}
+
+/// Between two reports it counts down; what took longer than was told is not told at all.
+void ProgressBox::show_left() {
+  constexpr double minute = 60, told_in_minutes = 90;
+  const double left = seconds_left_ ? *seconds_left_ - static_cast<double>(since_told_.elapsed()) / 1000 : 0;
+  if (left < 1)
+    left_->clear();
+  else if (left < told_in_minutes)
+    left_->setText(tr("about %1 s left").arg(static_cast<int>(std::ceil(left))));
+  else
+    left_->setText(tr("about %1 min left").arg(static_cast<int>(std::lround(left / minute))));
 }
 
 }  // namespace loopmend

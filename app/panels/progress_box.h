@@ -2,7 +2,11 @@
 // Below the patch dock, always in sight: what runs, how far it is, and the way out.
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
+
+#include <optional>
 
 class QLabel;
 class QProgressBar;
@@ -21,11 +25,16 @@ class ProgressBox : public QWidget {
  private:
   void build();
   void update_state();
+  void show_left();
 
   FillController& controller_;
   QLabel* stage_ = nullptr;
   QProgressBar* bar_ = nullptr;
+  QLabel* left_ = nullptr;
   QPushButton* cancel_ = nullptr;
+  QElapsedTimer since_start_, since_told_;
+  QTimer each_second_;
+  std::optional<double> seconds_left_;  ///< when it was told last
 };
 
 }  // namespace loopmend

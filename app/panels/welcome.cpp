@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/welcome.h"
 
+#include "document/recent_pictures.h"
 #include "panels/gallery.h"
 #include "panels/icons.h"
 #include "panels/parts.h"
@@ -95,6 +96,10 @@ void Welcome::show_recent(const QStringList& files) {
     auto* link = new QCommandLinkButton(QFileInfo(path).fileName(), QFileInfo(path).path());
     explain(link, QFileInfo(path).fileName(), tr("Open %1").arg(path));
     link->setMinimumWidth(320);
+    if (const QImage picture = recent_picture(path); !picture.isNull()) {
+      link->setIcon(QIcon(QPixmap::fromImage(picture)));
+      link->setIconSize(picture.size() / 2);
+    }
     link->setFocusPolicy(Qt::TabFocus);
     connect(link, &QCommandLinkButton::clicked, this, [this, path] { Q_EMIT file_wanted(path); });
     recent_layout_->addWidget(link);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace loopmend {
 
@@ -20,12 +21,19 @@ std::vector<std::size_t> states_of_film(std::size_t count) {
   return states;
 }
 
-std::vector<int> film_durations(std::size_t shown) {
+std::vector<int> film_durations(std::size_t shown, const FilmPace& pace) {
   constexpr int wanted_in_all = 600, shortest = 10, longest = 60, at_the_start = 80, at_the_end = 250;
-  const int each = std::clamp(wanted_in_all / static_cast<int>(std::max<std::size_t>(1, shown)), shortest, longest);
+  if (shown == 0) return {};
+  const int count = static_cast<int>(shown);
+  const int each = pace.rate > 0 ? std::max(2, static_cast<int>(std::lround(100 / pace.rate)))
+                                 : std::clamp(wanted_in_all / count, shortest, longest);
   std::vector<int> durations(shown, each);
-  if (shown > 0) durations.front() = at_the_start;
-  if (shown > 0) durations.back() = at_the_end;
+  durations.front() = std::max(each, at_the_start);
+  durations.back() = std::max(each, at_the_end);
+  const int lacking =
+      static_cast<int>(std::lround(100 * pace.seconds)) - std::accumulate(durations.begin(), durations.end(), 0);
+  if (lacking > 0)
+    for (int& duration : durations) duration += (lacking + count - 1) / count;
   return durations;
 }
 

@@ -21,10 +21,9 @@ inline constexpr std::size_t most_film_states = 120;
 /// Which of `count` states are shown, ascending.
 std::vector<std::size_t> states_of_film(std::size_t count);
 
-/// Hundredths of a second for each of `shown` states: 10 pictures a second at most, some six seconds where there
-/// are few; a look at
-/// the start, a longer one at the end.
-std::vector<int> film_durations(std::size_t shown);
+/// Hundredths of a second for each of `shown` states. Without a wanted pace 10 pictures a second at most, some six seconds where
+/// there are few. A look at the start, a longer one at the end.
+std::vector<int> film_durations(std::size_t shown, const FilmPace& pace = {});
 
 /// The colors that suit these pictures of a film best (median cut). @throws InvalidArgument without a picture.
 std::vector<GifColor> film_palette(const std::vector<RgbPicture>& samples);

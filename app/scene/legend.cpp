@@ -86,7 +86,7 @@ Legend::Legend(vtkLookupTable* table) : table_(table) {
 Legend::~Legend() = default;
 
 void Legend::each_part(const auto& act) {
-  for (vtkActor2D* part : {bar_.Get(), ticks_.Get()}) act(part);
+  for (vtkActor2D* part : {plate_.Get(), bar_.Get(), ticks_.Get()}) act(part);  // the plate under the others
   for (vtkTextActor* text : {title_.Get(), unit_.Get(), top_.Get(), bottom_.Get()}) act(text);
   for (auto& label : labels_) act(label.Get());
 }
@@ -102,6 +102,7 @@ void Legend::add_to(vtkRenderer* renderer) {
 
 void Legend::show() {
   each_part([](vtkActor2D* part) { part->VisibilityOn(); });
+  plate_->SetVisibility(ground_ == Ground::plate);
 }
 
 void Legend::hide() {
@@ -129,6 +130,11 @@ void Legend::set_words(const LegendWords& words) {
 
 void Legend::set_pixel_ratio(double ratio) { ratio_ = ratio; }
 
+void Legend::set_ground(Ground ground) {
+  ground_ = ground;
+  if (is_shown()) plate_->SetVisibility(ground == Ground::plate);
+}
+
 void Legend::set_ink(double brightness) {
   const auto ink = [](vtkTextActor* text, double g) { text->GetTextProperty()->SetColor(g, g, g); };
   const double soft = brightness < 0.5 ? brightness + 0.12 : brightness - 0.12;
@@ -136,6 +142,10 @@ void Legend::set_ink(double brightness) {
   for (vtkTextActor* text : {unit_.Get(), top_.Get(), bottom_.Get()}) ink(text, soft);
   for (auto& label : labels_) ink(label, brightness);
   ticks_->GetProperty()->SetColor(brightness, brightness, brightness);
+  constexpr double opacity = 0.78;
+  const double plate = brightness < 0.5 ? 0.95 : 0.16;
+  plate_->GetProperty()->SetColor(plate, plate, plate);
+  plate_->GetProperty()->SetOpacity(opacity);
 }
 
 void Legend::lay_out(int width, int height) {
@@ -159,9 +169,27 @@ void Legend::lay_out(int width, int height) {
     label->GetTextProperty()->SetJustificationToRight();
     place(label, right - bar_width - 9 * ratio_, bottom + t * bar_height, 12);
   }
+  build_plate();
+}
+
+void Legend::build_plate() {
+  if (!renderer_ || !renderer_->GetRenderWindow()) return;  // the texts are not measured yet
+  const double margin = 8 * ratio_;
+  plate_box_ = Eigen::AlignedBox2d();
+  for (const Eigen::AlignedBox2d& box : written_boxes()) plate_box_.extend(box);
+  plate_box_.min().array() -= margin;
+  plate_box_.max().array() += margin;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  quad(points, cells, plate_box_.min().x(), plate_box_.min().y(), plate_box_.max().x(), plate_box_.max().y());
+  use(plate_, points, cells, nullptr);
 }
 
 std::vector<Eigen::AlignedBox2d> Legend::boxes() {
+  return ground_ == Ground::plate ? std::vector{plate_box_} : written_boxes();
+}
+
+std::vector<Eigen::AlignedBox2d> Legend::written_boxes() {
   std::vector<Eigen::AlignedBox2d> all{bar_box_};
   const auto add = [&](vtkTextActor* text) {
     double b[4];

@@ -44,26 +44,32 @@ class Legend {
   void set_pixel_ratio(double ratio);
   /// Text in dark or light, to suit the background.
   void set_ink(double brightness);
+  /// What keeps it readable over a surface.
+  enum class Ground { bare, plate };
+  void set_ground(Ground ground);
   /// Places it at the right edge and reads the range from the table. Call when size or range changed.
   void lay_out(int width, int height);
 
-  /// What it covers, pixels from the lower left corner of its renderer: a box for each of its texts and for the bar.
+  /// What it covers, pixels from the lower left corner of its renderer: the plate, or a box for each of its texts and for the bar.
   std::vector<Eigen::AlignedBox2d> boxes();
 
   static constexpr int width_px = 150;  ///< logical pixels that it takes at the right edge
 
  private:
+  std::vector<Eigen::AlignedBox2d> written_boxes();
+  void build_plate();
   void build_bar(double left, double bottom, double width, double height);
   void each_part(const auto& act);
   void place(vtkTextActor* text, double x, double y, int logical_size);
 
   static constexpr int label_count = 5;
   double ratio_ = 1;
-  Eigen::AlignedBox2d bar_box_;
+  Ground ground_ = Ground::plate;
+  Eigen::AlignedBox2d bar_box_, plate_box_;
   char decimal_mark_ = '.';
   vtkLookupTable* table_;
   vtkRenderer* renderer_ = nullptr;
-  vtkNew<vtkActor2D> bar_, ticks_;
+  vtkNew<vtkActor2D> plate_, bar_, ticks_;
   vtkNew<vtkTextActor> title_, unit_, top_, bottom_;
   std::array<vtkNew<vtkTextActor>, label_count> labels_;
 };

@@ -186,7 +186,7 @@ MeshScene::MeshScene() : impl_(std::make_unique<Impl>()) {
   }
   impl_->ghosts.surface().set_shading(Shading::plain);
   impl_->ghosts.surface().set_edges(Edges::shown);
-  impl_->marked.surface().set_shading(Shading::plain);
+  impl_->marked.surface().set_shading(Shading::scan);  // its own colours, where it has some
   impl_->loops.add_to(impl_->renderer);
   for (vtkActor* line : impl_->loops.actors()) impl_->renderer->add_still(line, CachedBackground::Part::line);
   impl_->legend.add_to(impl_->renderer);
@@ -380,6 +380,7 @@ void MeshScene::set_legend_words(const LegendWords& words) {
 
 void MeshScene::set_legend(LegendPlace place) {
   impl_->legend_place = place;
+  impl_->legend.set_ground(place == LegendPlace::beside ? Legend::Ground::bare : Legend::Ground::plate);
   impl_->legend.add_to(place == LegendPlace::beside ? impl_->legend_renderer : impl_->renderer);
   impl_->update_legend();
 }

@@ -365,7 +365,7 @@ std::size_t render_film(std::ostream& out, const SurfaceModel& model, const std:
   if (states.empty()) throw InvalidArgument(say("a film needs at least one state."));
   FilmStage stage(model, options);
   const std::vector<std::size_t> shown = states_of_film(states.size());
-  const std::vector<int> durations = film_durations(shown.size());
+  const std::vector<int> durations = film_durations(shown.size(), options.pace);
   const auto draw = [&](std::size_t k) { return stage.draw(states[shown[k]]); };
   const std::vector<GifColor> palette = film_palette({draw(0), draw(shown.size() / 2), draw(shown.size() - 1)});
   std::size_t k = 0;

@@ -12,6 +12,12 @@
 
 namespace loopmend {
 
+/// How long the states of a film are seen.
+struct FilmPace {
+  double rate = 0;     ///< states a second, 0.5..50; 0: by their number, some six seconds in all
+  double seconds = 0;  ///< 0..600: the film lasts at least so long, each state is seen for longer; 0: as it comes
+};
+
 struct RenderOptions {
   Shading shading = Shading::curvature;
   int width = 1600;   ///< pixels, 64..8192; of the whole picture
@@ -21,6 +27,7 @@ struct RenderOptions {
   std::optional<Vec3> eye;        ///< from the middle towards the eye, any length; empty: as `view` says
   std::optional<NamedView> view;  ///< empty: towards most of the holes, straight into `loop` where one is named
   std::optional<int> loop;  ///< number of the boundary loop that fills the picture; empty: all of the surface does
+  FilmPace pace;            ///< of a film
 };
 
 /// One picture: surface, loops as lines, legend when coloured by H.

@@ -63,7 +63,8 @@ constexpr std::chrono::seconds longest_way{10};
 // every pixel, whichever way it branches, and take a quarter of a second to compile another one.
 // There is no ambient light: VTK leaves in the ambient colour how much of a triangle's edge lies on the pixel.
 // Key light over the left shoulder, soft fill from the right, a little sky: in view coordinates, so it follows the eye.
-// The inside of the surface is dull and dark, so that a hole reads as a hole.
+// The inside of the surface is dull, brown and darker, so that a hole reads as a hole, and lit as the outside is: VTK has turned
+// its normals to the eye. Of a sheet seen from behind, or a scan that is inside out, it is all that is seen.
 constexpr const char* beginning = R"(//VTK::Light::Impl
   vec3 loopmendNormal = normalVCVSOutput;  // VTK has made it a unit vector
   float loopmendEdge = clamp(ambientColor.b / loopmendEdgeColor.b, 0.0, 1.0);
@@ -91,7 +92,7 @@ constexpr const char* striped = R"(
 )";
 constexpr const char* ending = R"(
   vec3 loopmendLit = gl_FrontFacing ? loopmendBase * amount + loopmendShine
-                                    : mix(loopmendBase, vec3(0.36, 0.34, 0.33), 0.85) * amount;
+                                    : mix(loopmendBase, vec3(0.60, 0.50, 0.45), 0.75) * amount;
   fragOutput0 = vec4(mix(loopmendLit, loopmendEdgeColor, loopmendEdge), 1.0);
 )";
 // A patch lies on top of the rings that it shares with the scan, hence the tiny shift in depth. Made for each vertex:

@@ -12,11 +12,11 @@ RegionTool::RegionTool(const Document& document, const SceneVisibility& visibili
     : QObject(parent),
       document_(document),
       visibility_(visibility) {
-  connect(&visibility_, &SceneVisibility::changed, this, &RegionTool::forget);
+  connect(&visibility_, &SceneVisibility::changed, this, &RegionTool::drop);
   connect(&document_, &Document::opened, this, &RegionTool::forget);
-  connect(&document_, &Document::scans_changed, this, &RegionTool::forget);
-  connect(&document_, &Document::patches_changed, this, &RegionTool::forget);
-  connect(&document_, &Document::patch_moved, this, &RegionTool::forget);
+  connect(&document_, &Document::scans_changed, this, &RegionTool::drop);
+  connect(&document_, &Document::patches_changed, this, &RegionTool::drop);
+  connect(&document_, &Document::patch_moved, this, &RegionTool::drop);
 }
 
 /// Other surfaces: what was chosen on the old ones means nothing any more.
@@ -27,6 +27,12 @@ void RegionTool::forget() {
   chosen_count_ = 0;
   scan_ = -1;
   if (had) Q_EMIT changed();
+}
+
+void RegionTool::drop() {
+  const bool had = chosen_count_ > 0;
+  forget();
+  if (had) Q_EMIT dropped();
 }
 
 /// Scans, each followed by the new vertices of its patches, in the order in which a paste would append them.
@@ -84,16 +90,22 @@ void RegionTool::clear() {
 
 /// The first vertex under the brush decides which scan the region belongs to.
 void RegionTool::choose(const std::vector<int>& found, Effect effect) {
-  bool other = false;
+  bool other = false, beside = false;
   for (int v : found) {
     const auto at = static_cast<std::size_t>(v);
     if (scan_ < 0 && effect == Effect::add) scan_ = scan_of_[at];
-    if (scan_of_[at] != scan_) continue;
+    if (scan_of_[at] != scan_) {
+      beside = true;
+      continue;
+    }
     const char wanted = effect == Effect::add;
     other = other || chosen_[at] != wanted;
     chosen_[at] = wanted;
   }
-  if (other) recount();
+  if (other)
+    recount();
+  else if (beside && effect == Effect::add)
+    Q_EMIT beside_scan(scan_);
 }
 
 bool RegionTool::shows_outside(const ViewSpace& space, int vertex) const {

@@ -42,10 +42,15 @@ class RegionTool : public QObject, public ViewTool {
 
  Q_SIGNALS:
   void changed();
+  /// What was painted has gone, since the surface, or what is seen of it, is another.
+  void dropped();
+  /// What was under the mouse belongs to another scan than what is painted.
+  void beside_scan(int painted_scan);
 
  private:
   void take_surface();
   void forget();
+  void drop();
   void choose(const std::vector<int>& found, Effect effect);
   /// Whether the surface shows its outside at this vertex.
   bool shows_outside(const ViewSpace& space, int vertex) const;

@@ -73,6 +73,7 @@ MainWindow::MainWindow(QWidget* parent)
       candidates_(document_, undo_, controller_),
       autosave_(document_, undo_),
       check_(document_, controller_),
+      sides_(document_, controller_),
       actions_(new WindowActions(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
@@ -93,6 +94,8 @@ MainWindow::MainWindow(QWidget* parent)
   connect_controller();
   connect_problems();
   connect_document();
+  connect_sides();
+  connect_recent();
   connect_leisure();
   connect_panels();
   connect_file_actions();
@@ -190,7 +193,7 @@ void MainWindow::build_docks() {
   connect(&patch_->decision_box(), &DecisionBox::seam_wanted, bottom,
           [bottom] { bottom->setVisible(bottom->isHidden()); });
   resizeDocks({holes}, {370}, Qt::Horizontal);
-  resizeDocks({holes, right}, {270, 500}, Qt::Vertical);
+  resizeDocks({holes, right}, {272, 498}, Qt::Vertical);
   resizeDocks({bottom}, {214}, Qt::Vertical);
 }
 
@@ -440,7 +443,7 @@ void MainWindow::offer_recovery() { files_->offer_recovery(); }
 
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
   const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
-  const bool checked = check_.shut_down(at_most), reported = report_->shut_down(at_most);
+  const bool checked = check_.shut_down(at_most) && sides_.shut_down(at_most), reported = report_->shut_down(at_most);
   const bool proposed = candidates_.shut_down(at_most);
   return controller_.shut_down(at_most) && compared && tried && checked && reported && proposed;
 }

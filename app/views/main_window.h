@@ -11,6 +11,7 @@
 #include "jobs/candidate_controller.h"
 #include "jobs/fill_controller.h"
 #include "jobs/print_check.h"
+#include "jobs/side_check.h"
 
 #include <QMainWindow>
 
@@ -80,6 +81,8 @@ class MainWindow : public QMainWindow {
   void build_docks();
   void connect_controller();
   void connect_document();
+  void connect_sides();
+  void connect_recent();
   void connect_leisure();
   void connect_panels();
   void connect_file_actions();
@@ -112,6 +115,8 @@ class MainWindow : public QMainWindow {
   CandidateController candidates_;
   Autosave autosave_;
   PrintCheck check_;
+  SideCheck sides_;
+  QString to_be_pictured_;  ///< the file that was opened or saved last
   WindowActions* actions_;
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;

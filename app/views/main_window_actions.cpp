@@ -11,6 +11,7 @@
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/repair_dialog.h"
 #include "dialogs/shortcut_sheet.h"
+#include "document/recent_pictures.h"
 #include "document/targets.h"
 #include "jobs/change_surface.h"
 #include "panels/banner.h"
@@ -25,6 +26,7 @@
 #include "panels/player_bar.h"
 #include "panels/small_holes_box.h"
 #include "panels/theme.h"
+#include "panels/welcome.h"
 #include "views/file_controller.h"
 #include "views/film_source.h"
 #include "views/mesh_view.h"
@@ -38,6 +40,9 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
+
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -144,6 +149,40 @@ void MainWindow::connect_view_actions() {
   a.on("selectAll", holes_, &HolesPanel::select_all_holes);
 }
 
+/// No question: the scan can be filled as it is, and a room scanned from within is right.
+void MainWindow::connect_sides() {
+  connect(&sides_, &SideCheck::open_body_looks_inward, this, [this](int scan) {
+    banner_->offer(tr("%1: the faces look inward, so that the outside is drawn as an inside. Of a room scanned from "
+                      "within that is right; else turn them around.")
+                       .arg(document_.scan(scan)->name),
+                   {{tr("&Turn around"), "answerTurnAround", [this, scan] { controller_.turn_around(scan); }}});
+  });
+  connect(&sides_, &SideCheck::bodies_are_inside_out, this, [this](int scan, int count) {
+    banner_->offer(tr("%1: %Ln bodies or cavities are inside out. Repair turns them.", nullptr, count)
+                       .arg(document_.scan(scan)->name),
+                   {{tr("&Repair\u2026"), "answerRepair", [this] { show_repair_dialog(); }}});
+  });
+}
+
+/// A picture of what was opened or saved, once it is drawn as a whole and nothing else is to be done.
+void MainWindow::connect_recent() {
+  constexpr int leisure_ms = 1500;
+  auto* leisure = new QTimer(this);
+  leisure->setSingleShot(true);
+  leisure->setInterval(leisure_ms);
+  for (auto signal : {&FillController::file_opened, &FillController::session_saved})
+    connect(&controller_, signal, this, [this, leisure](const QString& path) {
+      to_be_pictured_ = path;
+      leisure->start();
+    });
+  connect(leisure, &QTimer::timeout, this, [this, leisure] {
+    if (to_be_pictured_.isEmpty() || !document_.has_scan()) return;
+    if (controller_.busy() || view_->is_rough() || view_->is_flying()) return leisure->start();
+    save_recent_picture(std::exchange(to_be_pictured_, QString()), view_->picture());
+    welcome_->show_recent(recent_files());
+  });
+}
+
 void MainWindow::connect_patch_actions() {
   const WindowActions& a = *actions_;
   a.on("fillAction", &patch_->fill_box(), [box = &patch_->fill_box()] { box->fill_and_smooth(); });
@@ -151,7 +190,8 @@ void MainWindow::connect_patch_actions() {
   for (const auto& [name, what] : {std::pair{"trimAction", ScanRepair::trim},
                                    {"trimCrossingAction", ScanRepair::trim_crossing},
                                    {"stitchAction", ScanRepair::stitch},
-                                   {"prepareAction", ScanRepair::prepare}})
+                                   {"prepareAction", ScanRepair::prepare},
+                                   {"turnAroundAction", ScanRepair::turn_around}})
     a.on(name, this, [this, repair = what] { patch_->fill_box().repair_scans(repair); });
   a.on("eraseRingAction", this, [this] { controller_.repair_scans(ScanRepair::erase, selection_.selected()); });
   a.on("partAction", this, [this] { controller_.repair_scans(ScanRepair::part, selection_.selected()); });
@@ -283,6 +323,7 @@ void MainWindow::update_actions() {
   a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %Ln crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));
   follow("repairAction", "repair");
   follow("prepareAction", "repair");
+  follow("turnAroundAction", "repair");
   const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
   a["eraseRingAction"]->setEnabled(idle && !loops_to_fill(document_, selection_).empty() &&
                                    !selection_.selected().empty());
@@ -323,10 +364,11 @@ void MainWindow::ask_preferences() {
 }
 
 void MainWindow::show_repair_dialog() {
-  if (auto* open = findChild<RepairDialog*>())
-    open->raise();
-  else
-    show_beside<RepairDialog>(this, document_, controller_);
+  if (auto* open = findChild<RepairDialog*>()) return open->raise();
+  const auto* dialog = show_beside<RepairDialog>(this, document_, controller_);
+  connect(dialog, &RepairDialog::marked, view_, &MeshView::show_marked);
+  connect(dialog, &RepairDialog::place_wanted, view_,
+          [this](const DefectPlace& place) { view_->fly_to_place(place.center, place.radius, place.direction); });
 }
 
 void MainWindow::show_candidates() {

@@ -94,6 +94,8 @@ class MeshView : public QWidget {
   void fly_to(int loop);
   /// Flies to the widest of the loops, unless one of them is seen from above already.
   void fly_to_unseen(const std::set<int>& loops);
+  /// The same for a ball, in the scene's frame. @param direction  towards the eye, unit
+  void fly_to_place(const Vec3& center, double radius, const Vec3& direction);
   bool is_flying() const;
 
   /// As seen, without overlay, in device pixels.

@@ -38,6 +38,23 @@ void MeshView::fly_to_side(NamedView side) {
   impl_->flight->start(impl_->camera(), goal, [this] { redraw(); });
 }
 
+void MeshView::fly_to_place(const Vec3& center, double radius, const Vec3& direction) {
+  constexpr double share = 3;  // of what is around it
+  const auto b = impl_->scene.bounds();
+  const double least = 0.01 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm();
+  Stand stand;
+  stand.focus = center - impl_->document.origin();
+  stand.radius = std::max(share * radius, least);
+  stand.direction = direction;
+  stand.up = view_up(direction, up());
+  stand.aspect = impl_->aspect();
+  vtkNew<vtkCamera> goal;
+  goal->DeepCopy(impl_->camera());
+  place_camera(goal, stand);
+  goal->OrthogonalizeViewUp();
+  impl_->flight->start(impl_->camera(), pose_of(goal), [this] { redraw(); });
+}
+
 /// A press on the cube is for the cube alone, and so is what follows until the release.
 bool MeshView::cube_takes(QEvent* event) {
   const auto type = event->type();

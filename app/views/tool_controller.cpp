@@ -10,6 +10,7 @@
 #include "views/surface_probe.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -45,6 +46,9 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
   connect(panel_, &ToolsPanel::tool_wanted, this, &ToolController::take);
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
+    if (region_->count() > 0) region_is_used_ = false;
+    if (has_result() && !region_is_used_)
+      Q_EMIT notice(tr("The result was discarded, since the region is another now. Evolve makes a new one."));
     give_up_trial();
     show_region();
   });
@@ -67,10 +71,14 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
   connect(bridge_, &BridgeTool::part_wanted, this, [this](int scan, int soup_a, int soup_b, int beside) {
     Q_EMIT part_wanted({scan, soup_a, soup_b, beside});
   });
-  connect(region_box_, &RegionBox::erase_wanted, this,
-          [this, &controller] { controller.erase(region_->scan(), region_->vertices(), std::nullopt); });
-  connect(region_box_, &RegionBox::erase_and_fill_wanted, this,
-          [this] { Q_EMIT refill_wanted(region_->scan(), region_->vertices()); });
+  connect(region_box_, &RegionBox::erase_wanted, this, [this, &controller] {
+    region_is_used_ = true;
+    controller.erase(region_->scan(), region_->vertices(), std::nullopt);
+  });
+  connect(region_box_, &RegionBox::erase_and_fill_wanted, this, [this] {
+    region_is_used_ = true;
+    Q_EMIT refill_wanted(region_->scan(), region_->vertices());
+  });
   connect(part_, &PartTool::placed, this, [this] {
     give_up_trial();
     view_.place_scan(part_->scan(), part_->placement().matrix());
@@ -93,7 +101,18 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
   connect(trial_box_, &ProblemBox::evolve_wanted, this, [this] { pose(Then::evolve); });
   connect(trial_box_, &ProblemBox::compare_wanted, this, [this] { pose(Then::compare); });
   connect(trial_box_, &ProblemBox::cancel_wanted, trial_, &ProblemController::cancel);
-  connect(trial_box_, &ProblemBox::accept_wanted, trial_, &ProblemController::accept);
+  connect(trial_box_, &ProblemBox::accept_wanted, trial_, [this] {
+    region_is_used_ = true;
+    trial_->accept();
+  });
+  connect(region_, &RegionTool::dropped, this, [this] {
+    if (!std::exchange(region_is_used_, false))
+      Q_EMIT notice(tr("What was painted is gone, since the surface is another now: paint it again."));
+  });
+  connect(region_, &RegionTool::beside_scan, this, [this](int scan) {
+    Q_EMIT notice(
+        tr("What is painted belongs to %1. Clear it to paint on another scan.").arg(document_.scan(scan)->name));
+  });
   connect(trial_box_, &ProblemBox::discard_wanted, trial_, &ProblemController::discard);
   connect(trial_box_, &ProblemBox::copy_wanted, this, &ToolController::copy_command);
 }

@@ -100,7 +100,8 @@ class ToolController : public QObject {
   RegionBox* region_box_;
   ToolsPanel* panel_;
   Then then_ = Then::look;
-  bool current_ = false;  ///< the trial is of what is chosen now
+  bool region_is_used_ = false;  ///< what was painted goes because something was made of it
+  bool current_ = false;         ///< the trial is of what is chosen now
 };
 
 }  // namespace loopmend

@@ -83,6 +83,7 @@ class AskingTest : public QObject {
   void facts_of_the_former_scan_go_with_its_picture();
   void a_session_is_no_title_of_another_scan();
   void the_result_of_a_tool_is_not_dropped_without_a_question();
+  void what_was_painted_does_not_go_in_silence();
   void nothing_is_said_of_what_was_not_judged();
   void what_could_not_be_filled_is_told_while_it_is_true();
   void the_eye_goes_to_the_largest_hole();
@@ -273,6 +274,38 @@ void AskingTest::the_result_of_a_tool_is_not_dropped_without_a_question() {
   press(window, "answerAccept");
   QCOMPARE(window.document().scans(), std::vector<int>{1});
   QVERIFY(window.undo().can_undo());
+}
+
+void AskingTest::what_was_painted_does_not_go_in_silence() {
+  Shown window({scan_file(folder_, QStringLiteral("painted.ply"), make_icosphere(3)), sample_file(folder_)});
+  auto* banner = window.findChild<Banner*>();
+  key(window, Qt::Key_R);
+  const auto paint = [&](double above) {
+    std::vector<int> top;
+    const Points& points = window.document().scan(0)->model->soup.points;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (points[p].z() > above) top.push_back(static_cast<int>(p));
+    window.tools().region().set_vertices(0, top);
+  };
+  paint(0.8);
+  press(window, "trialEvolve");
+  const auto stage = [&] { return window.tools().trial().stage(); };
+  QVERIFY(wait_until([&] { return stage() == ProblemController::Stage::solved; }));
+  paint(0.7);
+  QVERIFY(stage() == ProblemController::Stage::none);
+  QVERIFY2(banner->text().startsWith(QStringLiteral("The result was discarded")), qPrintable(banner->text()));
+  QVERIFY(window.tools().region().count() > 0);
+  press_and_wait(window, "fillAndSmooth");
+  QCOMPARE(window.tools().region().count(), 0);
+  QVERIFY2(banner->text().startsWith(QStringLiteral("What was painted is gone")), qPrintable(banner->text()));
+  // Accepted, it has become a part of the surface: nothing is said.
+  banner->hide();
+  paint(0.8);
+  press(window, "trialEvolve");
+  QVERIFY(wait_until([&] { return stage() == ProblemController::Stage::solved; }));
+  press(window, "trialAccept");
+  QVERIFY2(!banner->text().startsWith(QStringLiteral("What was painted is gone")) || banner->isHidden(),
+           qPrintable(banner->text()));
 }
 
 void AskingTest::nothing_is_said_of_what_was_not_judged() {

@@ -11,6 +11,7 @@
 #include "io/write_mesh.h"
 #include "panels/banner.h"
 #include "panels/plot.h"
+#include "panels/plot_library.h"
 #include "samples/analytic_surfaces.h"
 
 #include <QApplication>
@@ -135,6 +136,17 @@ void CompareTest::numbers_are_those_of_the_command_line() {
   QCOMPARE(seen->item(4, 3)->text(), QString::fromLatin1(last[3]));
   QCOMPARE(seen->item(4, 7)->text(), QString::fromLatin1(last[7]));
   QVERIFY(in<QLabel>(*window, "paneFigures3")->text().contains(QStringLiteral("converged")));
+  for (int r = 0; r < seen->rowCount(); ++r)
+    for (int c = 0; c < seen->columnCount(); ++c) {
+      const QString text = seen->item(r, c)->text();
+      QVERIFY2(seen->fontMetrics().horizontalAdvance(text) < seen->columnWidth(c), qPrintable(text));
+    }
+  const auto named = [&](const char* plot, const QString& side, const QString& below) {
+    const auto* drawn = in<Plot>(*window, plot)->findChild<QCustomPlot*>();
+    return drawn && drawn->legend->visible() && drawn->yAxis->label() == side && drawn->xAxis->label() == below;
+  };
+  QVERIFY(named("compareEnergies", QStringLiteral("1/length\u00b2"), QStringLiteral("Step")));
+  QVERIFY(named("compareProfiles", QStringLiteral("H, 1/length"), QStringLiteral("Distance, length")));
   for (const char* plot : {"compareEnergies", "compareProfiles"})
     for (int graph = 0; graph < 4; ++graph) QVERIFY(in<Plot>(*window, plot)->values(graph).size() > 1);
 }

@@ -101,6 +101,7 @@ class FilmTest : public QObject {
  private Q_SLOTS:
   void a_gif_keeps_colors_and_times();
   void at_most_ten_pictures_a_second();
+  void a_film_lasts_as_long_as_is_asked();
   void a_caption_names_a_flow_only_where_one_ran();
   void the_window_writes_the_flow();
   void a_film_given_up_leaves_no_file();
@@ -165,6 +166,25 @@ void FilmTest::at_most_ten_pictures_a_second() {
   }
 }
 
+void FilmTest::a_film_lasts_as_long_as_is_asked() {
+  const auto sum = [](const std::vector<int>& durations) {
+    return std::accumulate(durations.begin(), durations.end(), 0);
+  };
+  for (std::size_t count : {1, 2, 7, 60, 120}) {
+    const std::vector<int> fast = film_durations(count, {25, 0});
+    for (std::size_t k = 1; k + 1 < count; ++k) QCOMPARE(fast[k], 4);
+    for (const FilmPace& pace : {FilmPace{0, 10}, FilmPace{25, 10}, FilmPace{1, 10}}) {
+      const std::vector<int> durations = film_durations(count, pace);
+      QVERIFY(sum(durations) >= 1000);
+      const std::vector<int> free = film_durations(count, {pace.rate, 0});
+      if (sum(free) >= 1000)
+        QVERIFY(durations == free);
+      else
+        QVERIFY(sum(durations) < 1000 + static_cast<int>(count));
+    }
+  }
+}
+
 void FilmTest::the_window_writes_the_flow() {
   Shown window({sample_file(folder_)});
   QVERIFY(!window.findChild<QAction*>(QStringLiteral("film"))->isEnabled());  // there is no flow yet
@@ -174,6 +194,13 @@ void FilmTest::the_window_writes_the_flow() {
   QVERIFY(settle());
   const QImage before = window.view().picture();
   QSignalSpy saved(dialog, &FilmDialog::saved);
+  const auto choose = [&](const char* box, double value) {
+    auto* choices = dialog->findChild<QComboBox*>(QLatin1String(box));
+    choices->setCurrentIndex(choices->findData(value));
+    QCOMPARE(choices->currentData().toDouble(), value);
+  };
+  choose("filmRate", 25);
+  choose("filmLength", 20);
   GapMeter gaps;
   dialog->save(path("flow.gif"));
   QVERIFY(wait_until([&] { return saved.count() == 1; }));
@@ -186,6 +213,7 @@ void FilmTest::the_window_writes_the_flow() {
   QVERIFY(share_changed(film.pictures.front(), film.pictures.back()) > 0.002);  // the patch moved
   QVERIFY(count_colors(film.pictures.back()) >= 64);
   QVERIFY(film.delays.back() >= 2000);
+  QVERIFY(std::accumulate(film.delays.begin(), film.delays.end(), 0) >= 20'000);
   QTest::mouseClick(part<QToolButton>(window, "bannerClose"), Qt::LeftButton);  // the legend makes room for it
   QVERIFY(settle());
   QVERIFY(share_changed(before, window.view().picture()) < 0.001);  // the view is what it was
@@ -243,6 +271,12 @@ void FilmTest::the_command_line_writes_the_flow() {
   QVERIFY(share_changed(steps.pictures.front(), steps.pictures.back()) > 0.02);
   for (int delay : steps.delays) QVERIFY(delay >= 100);
   QVERIFY(steps.delays.back() >= 2000);
+  QCOMPARE(film(words("--film") << path("long.gif") << words("--loop 2 --film-rate 25 --film-length 10")), 0);
+  const ReadFilm at_length(path("long.gif"));
+  const int all = std::accumulate(at_length.delays.begin(), at_length.delays.end(), 0);  // ms
+  QVERIFY2(all >= 10000 && all < 10010 + 10 * at_length.delays.size(), qPrintable(QString::number(all)));
+  QCOMPARE(film(words("--film") << path("a.gif") << words("--film-rate 0")), 2);
+  QCOMPARE(film(words("--film-length 10 -o") << path("a.png")), 2);
   QCOMPARE(film(words("--film") << path("a.gif") << words("--loop 99")), 2);
   QCOMPARE(film(words("--film") << path("a.gif") << words("-o") << path("a.png")), 2);
   QCOMPARE(film(words("--flow wf -o") << path("a.png")), 2);

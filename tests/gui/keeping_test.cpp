@@ -7,6 +7,7 @@
 #include "document/labels.h"
 #include "document/language.h"
 #include "document/preferences.h"
+#include "document/recent_pictures.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
@@ -14,6 +15,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QCommandLinkButton>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDockWidget>
@@ -30,6 +32,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <map>
 
 using namespace loopmend;
@@ -136,6 +139,17 @@ void KeepingTest::recent_files_are_listed_opened_and_forgotten() {
   QVERIFY(wait_idle(window));
   QCOMPARE(window.document().first_scan().path, first);
   QCOMPARE(recent_files(), (QStringList{first, second}));
+  QVERIFY(wait_until([&] { return !recent_picture(first).isNull(); }));
+  const QImage pictured = recent_picture(first);
+  QCOMPARE(pictured.size(), QSize(144, 96));
+  QVERIFY(count_colors(pictured) >= 40);
+  {
+    Shown later;
+    const auto links = later.findChild<QWidget*>(QStringLiteral("welcome"))->findChildren<QCommandLinkButton*>();
+    const auto link = std::find_if(links.begin(), links.end(), [&](auto* l) { return first.endsWith(l->text()); });
+    QVERIFY(link != links.end());
+    QCOMPARE((*link)->iconSize(), QSize(72, 48));
+  }
   QFile::remove(second);
   QCOMPARE(recent_files(), QStringList{first});  // what is gone is not offered
   for (int i = 0; i < 15; ++i) {
@@ -146,6 +160,7 @@ void KeepingTest::recent_files_are_listed_opened_and_forgotten() {
   QCOMPARE(recent_files().size(), 10);
   recent_entries(window).last()->trigger();  // Forget these
   QVERIFY(recent_files().isEmpty());
+  QVERIFY(recent_picture(first).isNull());
 }
 
 void KeepingTest::closing_saves_first_if_wanted() {

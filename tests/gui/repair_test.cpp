@@ -5,6 +5,7 @@
 
 #include "dialogs/export_dialog.h"
 #include "dialogs/repair_dialog.h"
+#include "document/fill_report.h"
 #include "document/hole_table.h"
 #include "document/labels.h"
 #include "io/read_mesh.h"
@@ -119,6 +120,7 @@ class RepairTest : public QObject {
   void patches_are_exported_by_themselves();
   void what_is_new_is_labelled();
   void defects_are_listed_and_repaired_one_by_one();
+  void defects_are_marked_in_the_view();
   void bodies_become_one_data();
   void bodies_become_one();
   void preparing_does_what_the_command_line_does_with_auto();
@@ -129,6 +131,7 @@ class RepairTest : public QObject {
   void a_dome_over_a_flat_loop_is_red();
 
  private:
+  void the_report_begins_with(Shown& window, int loop);
   QTemporaryDir folder_;
 };
 
@@ -228,6 +231,31 @@ void RepairTest::defects_are_listed_and_repaired_one_by_one() {
   QVERIFY(has_counted(dialog));
   QCOMPARE(counted(dialog, "Degenerate"), QStringLiteral("1"));
   dialog->close();
+}
+
+void RepairTest::defects_are_marked_in_the_view() {
+  TriangleSoup soup = make_icosphere(3);
+  const int first = static_cast<int>(soup.points.size());
+  for (const Vec3& p : {Vec3(0, 0, 1.3), Vec3(0.04, 0, 1.3), Vec3(0, 0.04, 1.3)}) soup.points.push_back(p);
+  soup.triangles.push_back({first, first + 1, first + 2});
+  Shown window({scan_file(folder_, QStringLiteral("fragment.ply"), soup)});
+  const auto is_red_in_the_middle = [&] {
+    const QImage picture = window.view().picture();
+    const QColor color = picture.pixelColor(picture.rect().center());
+    return color.red() > 130 && color.red() > 2 * color.green();
+  };
+  RepairDialog* dialog = repair_dialog(window);
+  QVERIFY(dialog && has_counted(dialog));
+  QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("showDuplicate"))->isEnabled());
+  fix(dialog, "showFragments");
+  QVERIFY(wait_until(is_red_in_the_middle));
+  const QString said = dialog->findChild<QLabel*>(QStringLiteral("repairSummary"))->text();
+  QVERIFY2(said.contains(QStringLiteral("Faces: 1, places: 1.")), qPrintable(said));
+  fix(dialog, "fixFragments");
+  QVERIFY(wait_idle(window) && has_counted(dialog));
+  QCOMPARE(dialog->findChild<QLabel*>(QStringLiteral("beforeFragments"))->text(), QStringLiteral("was 1"));
+  QCOMPARE(counted(dialog, "Fragments"), QStringLiteral("none"));
+  QVERIFY(wait_until([&] { return !is_red_in_the_middle(); }));
 }
 
 void RepairTest::bodies_become_one_data() {
@@ -386,6 +414,36 @@ void RepairTest::dragon_is_stitched_watertight() {
   QVERIFY(verdict(window).startsWith(QStringLiteral("Watertight")));
 }
 
+TriangleSoup big_icosphere() {
+  TriangleSoup sphere = make_icosphere(3);
+  for (Vec3& p : sphere.points) p *= 100;
+  return sphere;
+}
+
+/// Whatever larger holes there are.
+void RepairTest::the_report_begins_with(Shown& window, int loop) {
+  const Document& document = window.document();
+  window.open({scan_file(folder_, QStringLiteral("two_holes.ply"),
+                         cut(big_icosphere(), [](const Vec3& p) { return p.z() > 80 || p.z() < -95; }))},
+              OpenMode::add);
+  QVERIFY(wait_until([&] { return document.scans().size() == 2 && !window.controller().busy(); }));
+  std::set<int> added;
+  for (int other = 1; other < document.loop_count(); ++other)
+    if (document.fillable(other)) added.insert(other);
+  QCOMPARE(added.size(), std::size_t{2});
+  window.selection().select(added);
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 2 * minutes));
+  const FillReport report = fill_report(document);
+  QCOMPARE(report.holes.size(), std::size_t{3});
+  QCOMPARE(report.holes[0].loop, loop);
+  const auto size = [&](std::size_t k) { return document.loop(report.holes[k].loop).diameter; };
+  QVERIFY2(size(1) > size(2) && size(2) > size(0),
+           qPrintable(QStringLiteral("%1 %2 %3").arg(size(0)).arg(size(1)).arg(size(2))));
+  for (int k = 0; k < 2; ++k) window.undo().undo();  // the fill, the scan
+  QCOMPARE(document.scans().size(), std::size_t{1});
+  window.selection().select({});
+}
+
 void RepairTest::a_dome_over_a_flat_loop_is_red() {
   Shown window({write_rough_bowl(folder_.filePath(QStringLiteral("bowl.ply")))});
   auto* table = part<QTableView>(window, "holesTable");
@@ -404,6 +462,9 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   QVERIFY2(!sentence().contains(QStringLiteral("smaller")), qPrintable(sentence()));
   const QString tip = state.data(Qt::ToolTipRole).toString();
   QVERIFY2(tip.contains(said), qPrintable(tip));
+  auto* verdict = window.findChild<QLabel*>(QStringLiteral("holeVerdict"));
+  QVERIFY2(verdict->text().startsWith(QStringLiteral("Hole 1: bad. A dome ")), qPrintable(verdict->text()));
+  QVERIFY2(verdict->text().contains(QStringLiteral("Trim crossing triangles")), qPrintable(verdict->text()));
   window.selection().select({});
   settle();
   QVERIFY2(pixels_of(table, state, red) > 5, "the sign in the table is not red");
@@ -414,6 +475,10 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   key(window, Qt::Key_L);
   QCOMPARE(window.selection().selected(), std::set<int>{0});
   window.selection().select({});
+  press(window, "nextToLookAtButton");
+  QCOMPARE(window.selection().selected(), std::set<int>{0});
+  window.selection().select({});
+  the_report_begins_with(window, 0);
   // The flat cap that is made by default is marked by nothing.
   key(window, Qt::Key_Z, Qt::ControlModifier);
   window.selection().select({0});

@@ -6,6 +6,7 @@
 #include "dialogs/export_dialog.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "panels/banner.h"
 #include "samples/analytic_surfaces.h"
 #include "views/tool_controller.h"
 
@@ -96,6 +97,8 @@ class SceneTest : public QObject {
   void what_is_hidden_cannot_be_picked_or_painted();
   void hidden_pieces_are_exported_and_stay_hidden();
   void flying_to_a_hidden_hole_shows_it();
+  void faces_that_look_inward_are_turned_around();
+  void bodies_inside_out_are_told();
 
  private:
   QTemporaryDir folder_;
@@ -267,6 +270,64 @@ void SceneTest::flying_to_a_hidden_hole_shows_it() {
   window.visibility().set_pieces({piece}, SceneVisibility::Visible::hidden);
   window.view().fly_to(1);
   QVERIFY(!window.visibility().is_hidden(piece));
+}
+
+namespace {
+
+/// A ball that is open at the top, with its faces looking inward.
+TriangleSoup inward_ball(double open_above) {
+  TriangleSoup ball = cut(make_icosphere(4), [=](const Vec3& p) { return p.z() > open_above; });
+  for (Triangle& t : ball.triangles) std::swap(t[1], t[2]);
+  return ball;
+}
+
+bool looks_outward(const OpenedScan& scan) {
+  const TriangleSoup& soup = scan.model->soup;
+  const auto [a, b, c] = soup.triangles.front();
+  return (soup.points[b] - soup.points[a]).cross(soup.points[c] - soup.points[a]).dot(soup.points[a]) > 0;
+}
+
+}  // namespace
+
+void SceneTest::faces_that_look_inward_are_turned_around() {
+  Shown window({scan_file(folder_, QStringLiteral("inward.ply"), inward_ball(0.3))});
+  const Document& document = window.document();
+  auto* banner = window.findChild<Banner*>();
+  QVERIFY(wait_until([&] { return banner->text().startsWith(QStringLiteral("inward.ply: the faces look inward")); }));
+  window.view().look_from(NamedView::bottom);
+  trigger(window, "plain");
+  settle();
+  // The back is as readable as the front, and of another colour: brown, where the front is nearly grey.
+  const auto middle = [&] {
+    const QImage picture = window.view().picture();
+    return picture.pixelColor(picture.rect().center());
+  };
+  const QColor back = middle();
+  QVERIFY2(back.lightness() > 100, qPrintable(back.name()));
+  QVERIFY2(back.red() > 1.15 * back.blue(), qPrintable(back.name()));
+  QVERIFY(!looks_outward(document.first_scan()));
+  press(window, "answerTurnAround");
+  QVERIFY(wait_idle(window));
+  QVERIFY(looks_outward(document.first_scan()));
+  settle();
+  const QColor front = middle();
+  QVERIFY2(front.lightness() > back.lightness() + 20, qPrintable(front.name()));
+  window.undo().undo();
+  QVERIFY(!looks_outward(document.first_scan()));
+  window.undo().redo();
+  QVERIFY(looks_outward(document.first_scan()));
+  trigger(window, "turnAroundAction");
+  QVERIFY(wait_idle(window));
+  QVERIFY(!looks_outward(document.first_scan()));
+}
+
+void SceneTest::bodies_inside_out_are_told() {
+  Shown window({scan_file(folder_, QStringLiteral("inside_out.ply"), inward_ball(0.97))});
+  auto* banner = window.findChild<Banner*>();
+  const QString said = QStringLiteral("inside_out.ply: 1 body or cavity is inside out. Repair turns it.");
+  QVERIFY2(wait_until([&] { return banner->text() == said; }), qPrintable(banner->text()));
+  press(window, "answerRepair");
+  QVERIFY(part<QPushButton>(window, "fixNonManifold")->isVisible());
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<SceneTest>(); }

@@ -16,15 +16,18 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <csignal>
 
 using namespace loopmend;
@@ -178,7 +181,18 @@ void StoryTest::many_holes() {
   QTest::mouseMove(window.view().canvas(), window.view().position_of(across * across - 24, 0));
   settle();
   gaps.report("many holes: hover");
+  QStringList left;
+  const auto* time_left = window.findChild<QLabel*>(QStringLiteral("timeLeft"));
+  const auto listening = connect(&window.controller(), &FillController::share_done, this, [&](double share) {
+    if (share < 1 && !time_left->text().isEmpty()) left << time_left->text();
+  });
   QVERIFY(press_and_wait(window, "fill", 300));
+  disconnect(listening);
+  QVERIFY(time_left->text().isEmpty());
+  const QRegularExpression told(QStringLiteral("^about \\d+ (s|min) left$"));
+  QVERIFY2(std::all_of(left.begin(), left.end(), [&](const QString& text) { return told.match(text).hasMatch(); }),
+           qPrintable(left.join(QLatin1Char('\n'))));
+  if (at_length()) QVERIFY(!left.isEmpty());
   settle();
   gaps.report("many holes: fill");
   key(window, Qt::Key_Escape);

@@ -78,6 +78,7 @@ class ViewTest : public QObject {
   void the_first_picture_is_framed();
   void the_picture_is_moved_and_asked_by_keys();
   void sides_projection_and_zoom_to_the_cursor();
+  void the_legend_is_read_over_a_surface();
   void frame_keeps_clear_of_the_legend_data();
   void frame_keeps_clear_of_the_legend();
   void each_scan_may_have_its_own_range();
@@ -172,6 +173,24 @@ void ViewTest::sides_projection_and_zoom_to_the_cursor() {
     const double aspect = static_cast<double>(canvas->width()) / canvas->height();
     QVERIFY(std::abs(way.dot(side) / way.dot(before.up) + 0.5 * aspect / (1.0 / 3)) < 0.05);
   }
+}
+
+/// Zoomed in until the surface is all over the picture, the plate is still nearly as light as without it.
+void ViewTest::the_legend_is_read_over_a_surface() {
+  Shown window({file("near.ply", cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.9; }))});
+  key(window, Qt::Key_1);
+  settle();
+  Viewpoint near = window.view().viewpoint();
+  near.eye = near.focus + 0.4 * (near.eye - near.focus);
+  window.view().set_viewpoint(near);
+  settle();
+  const QImage picture = window.view().picture();
+  const double ratio = window.view().canvas()->devicePixelRatioF();
+  // Between the title and the end of the bar, left of the numbers, where nothing else is written.
+  const QPoint on_plate(picture.width() - static_cast<int>(60 * ratio), static_cast<int>(75 * ratio));
+  const QPoint beside(picture.width() - static_cast<int>(250 * ratio), static_cast<int>(300 * ratio));
+  QVERIFY2(picture.pixelColor(on_plate).lightness() > 200, qPrintable(picture.pixelColor(on_plate).name()));
+  QVERIFY2(picture.pixelColor(beside).lightness() < 235, qPrintable(picture.pixelColor(beside).name()));
 }
 
 void ViewTest::frame_keeps_clear_of_the_legend_data() {
