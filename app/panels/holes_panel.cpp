@@ -158,7 +158,7 @@ void HolesPanel::build_table() {
   table_->setMouseTracking(true);
   table_->viewport()->installEventFilter(this);
   table_->installEventFilter(this);
-  constexpr int lowest = 58;  // the head and a row
+  constexpr int lowest = 72;  // the head and nearly two rows
   table_->setMinimumHeight(lowest);
   table_->setShowGrid(false);
   table_->setWordWrap(false);

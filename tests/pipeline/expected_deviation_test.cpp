@@ -47,9 +47,12 @@ TEST(ExpectedDeviation, OfVerticesHasTheBoundOfTheLoopAsItsMean) {
   const std::vector<double>& vertices = result.deviation.vertices;
   ASSERT_EQ(vertices.size(), static_cast<std::size_t>(result.patch.free_count));
   const Eigen::VectorXd area = barycentric_areas(result.patch.positions, result.patch.triangles);
-  const Triangles own(result.patch.triangles.begin(), result.patch.triangles.begin() + result.patch.patch_triangles);
-  const double sum = barycentric_areas(result.patch.positions, own).sum();
-  double squares = 0;
+  double squares = 0, sum = 0;
+  for (int f = 0; f < result.patch.patch_triangles; ++f) {
+    const auto& [a, b, c] = result.patch.triangles[f];
+    const Vec3 &p = result.patch.positions[a], &q = result.patch.positions[b], &r = result.patch.positions[c];
+    sum += (q - p).cross(r - p).norm() / 2;
+  }
   for (int v = 0; v < result.patch.free_count; ++v) {
     EXPECT_GT(vertices[v], 0);
     squares += area[v] * vertices[v] * vertices[v];
