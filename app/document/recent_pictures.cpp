@@ -2,6 +2,7 @@
 #include "document/recent_pictures.h"
 
 #include <QCryptographicHash>
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QSaveFile>

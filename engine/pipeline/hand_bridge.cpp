@@ -170,11 +170,11 @@ HandBridge with_bridge(const SurfaceModel& model, int a, int b) {
   }
   strip.push_back({t.after, t.at, t.before});
   for (int r = 0; r < rows; ++r) {
-    const Row &from = strip[static_cast<std::size_t>(r)], &to = strip[static_cast<std::size_t>(r) + 1];
-    soup.triangles.push_back({from.left, from.middle, to.middle});
-    soup.triangles.push_back({from.left, to.middle, to.left});
-    soup.triangles.push_back({from.middle, from.right, to.middle});
-    soup.triangles.push_back({from.right, to.right, to.middle});
+    const Row &row = strip[static_cast<std::size_t>(r)], &next = strip[static_cast<std::size_t>(r) + 1];
+    soup.triangles.push_back({row.left, row.middle, next.middle});
+    soup.triangles.push_back({row.left, next.middle, next.left});
+    soup.triangles.push_back({row.middle, row.right, next.middle});
+    soup.triangles.push_back({row.right, next.right, next.middle});
   }
   return {std::move(soup), s.at, t.at};
 }
