@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long work will still take, told by what share of it is done.
+// An estimate of how long work will still take, from the share of it that is done.
 #pragma once
 
 #include "mesh/boundary_loops.h"
@@ -12,7 +12,7 @@ namespace loopmend {
 /// not depend on the size.
 double work_of(const BoundaryLoop& loop);
 
-/// Nothing where it cannot be told: in the first three seconds, before a twentieth is done, and at the end.
+/// No estimate in the first three seconds, before a twentieth is done, and at the end.
 /// @param seconds  since the work began
 /// @param share    of the work that is done, 0..1
 std::optional<double> seconds_left(double seconds, double share);

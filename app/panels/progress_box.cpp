@@ -35,7 +35,7 @@ ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(
   });
   connect(&controller_, &FillController::share_done, this, [this](double share) {
     seconds_left_ = seconds_left(static_cast<double>(since_start_.elapsed()) / 1000, share);
-    since_told_.start();
+    since_estimate_.start();
     show_left();
   });
   each_second_.setInterval(1000);
@@ -84,13 +84,13 @@ void ProgressBox::update_state() {
   show_left();
 }
 
-/// Between two reports it counts down; what took longer than was told is not told at all.
+/// Counts down between two reports; shows nothing once the estimate has run out.
 void ProgressBox::show_left() {
-  constexpr double minute = 60, told_in_minutes = 90;
-  const double left = seconds_left_ ? *seconds_left_ - static_cast<double>(since_told_.elapsed()) / 1000 : 0;
+  constexpr double minute = 60, most_in_seconds = 90;
+  const double left = seconds_left_ ? *seconds_left_ - static_cast<double>(since_estimate_.elapsed()) / 1000 : 0;
   if (left < 1)
     left_->clear();
-  else if (left < told_in_minutes)
+  else if (left < most_in_seconds)
     left_->setText(tr("about %1 s left").arg(static_cast<int>(std::ceil(left))));
   else
     left_->setText(tr("about %1 min left").arg(static_cast<int>(std::lround(left / minute))));

@@ -32,9 +32,9 @@ class ProgressBox : public QWidget {
   QProgressBar* bar_ = nullptr;
   QLabel* left_ = nullptr;
   QPushButton* cancel_ = nullptr;
-  QElapsedTimer since_start_, since_told_;
+  QElapsedTimer since_start_, since_estimate_;
   QTimer each_second_;
-  std::optional<double> seconds_left_;  ///< when it was told last
+  std::optional<double> seconds_left_;  ///< at the last report
 };
 
 }  // namespace loopmend

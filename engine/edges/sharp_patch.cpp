@@ -229,7 +229,7 @@ std::optional<Meshed> mesh_parts(const Patch& initial, const Domain& domain, con
     const auto extent = [](const Part& part) {
       return part.outline.empty() ? part.triangles.size() : std::numeric_limits<std::size_t>::max();
     };
-    auto bad = std::ranges::min_element(parts, {}, extent);  // what is no disc, the smallest first
+    auto bad = std::ranges::min_element(parts, {}, extent);  // the smallest part that is no disc
     if (bad != parts.end() && !bad->outline.empty())
       bad = std::ranges::find_if_not(
           parts, [&](const Part& part) { return add_part(part, sides.surfaces[part.side], size, joined, result.all); });

@@ -173,7 +173,7 @@ TEST(SharpEdges, SeveralEdgesRunAcrossAHoleWiderThanTheirDistance) {
   }
 }
 
-/// An edge of so few degrees bends by more than what is a fold elsewhere.
+/// An edge of 25° to 40° bends by more than the 150° that count as a fold elsewhere, or by nearly as much.
 TEST(SharpEdges, AKnifesEdgeIsNoFold) {
   for (const double bend : {140.0, 155.0}) {
     const FoldedSheet sheet{{0}, {0, bend}, 0.25};

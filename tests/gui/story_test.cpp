@@ -189,8 +189,8 @@ void StoryTest::many_holes() {
   QVERIFY(press_and_wait(window, "fill", 300));
   disconnect(listening);
   QVERIFY(time_left->text().isEmpty());
-  const QRegularExpression told(QStringLiteral("^about \\d+ (s|min) left$"));
-  QVERIFY2(std::all_of(left.begin(), left.end(), [&](const QString& text) { return told.match(text).hasMatch(); }),
+  const QRegularExpression pattern(QStringLiteral("^about \\d+ (s|min) left$"));
+  QVERIFY2(std::all_of(left.begin(), left.end(), [&](const QString& text) { return pattern.match(text).hasMatch(); }),
            qPrintable(left.join(QLatin1Char('\n'))));
   if (at_length()) QVERIFY(!left.isEmpty());
   settle();
