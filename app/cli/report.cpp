@@ -112,7 +112,7 @@ Json mirror_json(const MirrorFit& fit) {
   if (fit.answer == MirrorFit::Answer::not_asked) return nullptr;
   return {{"answer", to_string(fit.answer)},
           {"misfit", json_number(fit.misfit)},
-          {"quadric", json_number(fit.quadric)},
+          {"difference", json_number(fit.difference)},
           {"text", message_of(notice_on(fit)).english()},
           {"plane",
            {{"point", vector_json(fit.plane.point)},

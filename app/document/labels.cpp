@@ -273,13 +273,24 @@ QString notice(const Notice& notice) {
     case NoticeCode::mirror_image:
       return tr("copied from the mirror image, from which the surface around is %1 diameters away").arg(digits(0));
     case NoticeCode::mirror_misfit:
-      return tr("not copied from the mirror image, from which the surface around is %1 diameters away: more than 0.02, "
-                "or "
-                "than a tenth of its distance from a quadric, %2")
+      return tr("not copied from the mirror image, from which the surface around is %1 diameters away: more than 0.02")
+          .arg(digits(0));
+    case NoticeCode::mirror_no_gain:
+      return tr("not copied from the mirror image: the surface around is %1 diameters away from it, and the patch "
+                "hardly "
+                "more, %2")
           .arg(digits(0), digits(1));
     case NoticeCode::mirror_no_symmetry:
       return tr("not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent "
                 "away")
+          .arg(digits(0));
+    case NoticeCode::mirror_across:
+      return tr("not made symmetric, though the hole lies across the plane of symmetry: the surface around is %1 "
+                "diameters from its image")
+          .arg(digits(0));
+    case NoticeCode::mirror_symmetric:
+      return tr("made symmetric, since the hole lies across the plane of symmetry; the surface around is %1 diameters "
+                "from its image")
           .arg(digits(0));
     case NoticeCode::mirror_open: return tr("not copied from the mirror image, which has no surface there");
     case NoticeCode::mirror_faulty:

@@ -36,7 +36,10 @@ QString advice(const Verdict& verdict) {
     case NoticeCode::likely_far: return tr("Compare it with Other patches (V).");
     case NoticeCode::mirror_image:
     case NoticeCode::mirror_misfit:
+    case NoticeCode::mirror_no_gain:
     case NoticeCode::mirror_no_symmetry:
+    case NoticeCode::mirror_across:
+    case NoticeCode::mirror_symmetric:
     case NoticeCode::mirror_open:
     case NoticeCode::mirror_faulty: break;
   }

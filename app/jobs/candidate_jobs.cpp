@@ -120,7 +120,7 @@ Candidate make_candidate(const CandidateTask& task, CandidateKind kind, const Ca
         if (!hole.patch) candidate.why_not = hole.message;
       for (const auto& result : group.patches) {
         if (!is_filled(result->status)) candidate.why_not = result->message;
-        if (kind == CandidateKind::mirror && result->method != Method::mirror_image)
+        if (kind == CandidateKind::mirror && !result->mirror.is_used())
           candidate.why_not = message_of(notice_on(result->mirror));
       }
     }

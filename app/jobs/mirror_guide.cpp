@@ -2,15 +2,15 @@
 #include "jobs/mirror_guide.h"
 
 #include "document/targets.h"
+#include "pipeline/candidates.h"
 #include "pipeline/initial_patch.h"
-#include "pipeline/mirror_candidate.h"
 
 namespace loopmend {
 namespace {
 
 constexpr std::size_t most_compared = 12;
 
-/// Of one hole, as solve_patch() would copy it.
+/// Of one hole.
 MirrorGuide::Fit fit_of(ScanContext& context, int loop, const BoundaryLoop& boundary, const MirrorPlane& plane,
                         const Vec3& origin, const CancelToken& cancel) {
   MirrorGuide::Fit result{loop, {}, nullptr};
@@ -18,9 +18,9 @@ MirrorGuide::Fit fit_of(ScanContext& context, int loop, const BoundaryLoop& boun
   if (!initial.patch || cancel.cancelled()) return result;
   const std::vector<MirrorPlane> planes{plane};
   const PatchResult made =
-      mirrored_patch({context.index(), *initial.patch, {boundary}, &planes}, EvolutionOptions{}, cancel);
+      solve_patch({context.index(), *initial.patch, {boundary}, &planes}, EvolutionOptions{}, {}, cancel);
   result.fit = made.mirror;
-  if (made.mirror.is_proposed() && is_filled(made.status)) result.ghost = shape_of(made.patch, origin);
+  if (made.mirror.is_used() && is_filled(made.status)) result.ghost = shape_of(made.patch, origin);
   return result;
 }
 

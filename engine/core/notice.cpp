@@ -41,7 +41,10 @@ const char* to_string(NoticeCode code) {
     case NoticeCode::likely_far: return "likely_far";
     case NoticeCode::mirror_image: return "mirror_image";
     case NoticeCode::mirror_misfit: return "mirror_misfit";
+    case NoticeCode::mirror_no_gain: return "mirror_no_gain";
     case NoticeCode::mirror_no_symmetry: return "mirror_no_symmetry";
+    case NoticeCode::mirror_across: return "mirror_across";
+    case NoticeCode::mirror_symmetric: return "mirror_symmetric";
     case NoticeCode::mirror_open: return "mirror_open";
     case NoticeCode::mirror_faulty: return "mirror_faulty";
   }
@@ -87,14 +90,29 @@ Message sentence(const Notice& notice) {
     case NoticeCode::mirror_image:
       return say("copied from the mirror image, from which the surface around is %1 diameters away", digits);
     case NoticeCode::mirror_misfit:
+      return say("not copied from the mirror image, from which the surface around is %1 diameters away: more than 0.02",
+                 digits);
+    case NoticeCode::mirror_no_gain:
       return say(
-          "not copied from the mirror image, from which the surface around is %1 diameters away: more than 0.02, or "
-          "than "
-          "a tenth of its distance from a quadric, %2",
+          "not copied from the mirror image: the surface around is %1 diameters away from it, and the patch hardly "
+          "more, "
+          "%2",
           digits, more);
     case NoticeCode::mirror_no_symmetry:
       return say(
           "not copied from the mirror image, since the scan is not symmetric: its best image is %1 of its extent away",
+          digits);
+    case NoticeCode::mirror_across:
+      return say(
+          "not made symmetric, though the hole lies across the plane of symmetry: the surface around is %1 diameters "
+          "from "
+          "its image",
+          digits);
+    case NoticeCode::mirror_symmetric:
+      return say(
+          "made symmetric, since the hole lies across the plane of symmetry; the surface around is %1 diameters from "
+          "its "
+          "image",
           digits);
     case NoticeCode::mirror_open: return say("not copied from the mirror image, which has no surface there");
     case NoticeCode::mirror_faulty:

@@ -26,8 +26,11 @@ enum class NoticeCode {
   high_over_loop,       ///< height, height of a ball through the seam
   likely_far,           ///< likely distance from what was there
   mirror_image,         ///< copied from it: rms distance of the surface around from it
-  mirror_misfit,        ///< not copied: the same, and from a quadric
+  mirror_misfit,        ///< not copied: the same
+  mirror_no_gain,       ///< not copied: the same, and of the ordinary patch
   mirror_no_symmetry,   ///< not copied: misfit of the plane, in extents of the surface
+  mirror_across,        ///< not made symmetric across the plane: rms distance of the surface around from its image
+  mirror_symmetric,     ///< made symmetric across the plane: the same
   mirror_open,          ///< not copied: nothing is there. none
   mirror_faulty,        ///< not copied: it folds or cuts the surface. none
 };

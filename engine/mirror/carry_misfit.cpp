@@ -5,12 +5,14 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
+
 namespace loopmend {
 
 namespace {
 
 constexpr std::size_t most_sites = 500;
-constexpr double smoothing = 1e-8;
+constexpr double least_smoothing = 1e-8, most_smoothing = 10, smoothing_step = 4;
 
 /// Every so many, so that at most `most` are left.
 void thin(std::vector<std::size_t>& all, std::size_t most) {
@@ -32,9 +34,27 @@ std::vector<std::size_t> chosen_sites(const Patch& patch, const Collar& collar) 
   return on_loop;
 }
 
+/// The rms of that part of the misfit which is independent at each vertex: half of the mean square of its difference along an edge.
+double noise_of(const Patch& patch, const MirrorImage& image) {
+  std::vector<int> place(patch.vertex_count(), -1);
+  for (std::size_t i = 0; i < image.collar.vertices.size(); ++i) place[image.collar.vertices[i]] = static_cast<int>(i);
+  const auto misfit = [&](int v) -> Vec3 { return patch.positions[v] - image.nearest[place[v]]; };
+  double squares = 0;
+  int edges = 0;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int a = patch.triangles[f][k], b = patch.triangles[f][(k + 1) % 3];
+      if (place[a] < 0 || place[b] < 0) continue;
+      squares += (misfit(a) - misfit(b)).squaredNorm();
+      ++edges;
+    }
+  return edges > 0 ? std::sqrt(squares / (2 * edges)) : 0;
+}
+
 }  // namespace
 
-bool carry_misfit(const Patch& patch, const Collar& collar, MirrorImage& image) {
+bool carry_misfit(const Patch& patch, MirrorImage& image) {
+  const Collar& collar = image.collar;
   const std::vector<std::size_t> sites = chosen_sites(patch, collar);
   const auto count = static_cast<Eigen::Index>(sites.size());
   Points places;
@@ -48,15 +68,24 @@ bool carry_misfit(const Patch& patch, const Collar& collar, MirrorImage& image) 
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j < i; ++j)
       matrix(i, j) = matrix(j, i) = -(places[i] - places[j]).norm() / collar.diameter;
-    matrix(i, i) = smoothing;
     matrix.block<1, 4>(i, count) << 1, scaled(places[i]).transpose();
     matrix.block<4, 1>(count, i) = matrix.block<1, 4>(i, count).transpose();
     right.row(i) = (places[i] - image.nearest[sites[i]]).transpose();
   }
   // A plane collar leaves the slope across it open.
-  matrix.diagonal().tail<3>().array() -= smoothing;
-  const Eigen::MatrixXd weights = matrix.partialPivLu().solve(right);
-  if (!weights.allFinite()) return false;
+  matrix.diagonal().tail<3>().array() -= least_smoothing;
+  // As smooth as leaves no more of the misfit behind than noise: what noise would carry to the top of a bump is many times the noise.
+  const double noise = noise_of(patch, image);
+  Eigen::MatrixXd weights;
+  for (double smoothing = least_smoothing; smoothing < most_smoothing; smoothing *= smoothing_step) {
+    matrix.diagonal().head(count).setConstant(smoothing);
+    const Eigen::MatrixXd smoother = matrix.partialPivLu().solve(right);
+    if (!smoother.allFinite()) break;
+    const double left_behind = smoothing * smoother.topRows(count).norm() / std::sqrt(static_cast<double>(count));
+    if (smoothing > least_smoothing && left_behind > noise) break;
+    weights = smoother;
+  }
+  if (weights.size() == 0) return false;
   parallel_for(0, static_cast<int>(image.points.size()), 64, [&](int k) {
     Vec3& p = image.points[k];
     const Vec3 q = scaled(p);

@@ -31,31 +31,11 @@ Points outside_normals(const Patch& patch) {
   return normals;
 }
 
-/// The rms height over the best z = quadric(x, y), z along the mean normal, in diameters.
-double distance_from_quadric(const Patch& patch, const Collar& collar) {
-  Vec3 axis = Vec3::Zero(), center = Vec3::Zero();
-  for (const Vec3& n : collar.normals) axis += n;
-  for (int v : collar.vertices) center += patch.positions[v] / static_cast<double>(collar.vertices.size());
-  if (!(axis.norm() > 0)) axis = Vec3::UnitZ();
-  axis.normalize();
-  const Vec3 u = axis.unitOrthogonal(), w = axis.cross(u);
-  const auto count = static_cast<Eigen::Index>(collar.vertices.size());
-  Eigen::MatrixXd terms(count, 6);
-  Eigen::VectorXd heights(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Vec3 p = (patch.positions[collar.vertices[i]] - center) / collar.diameter;
-    const double x = p.dot(u), y = p.dot(w);
-    terms.row(i) << 1, x, y, x * x, x * y, y * y;
-    heights[i] = p.dot(axis);
-  }
-  const Eigen::VectorXd left = heights - terms * terms.colPivHouseholderQr().solve(heights);
-  return std::sqrt(left.squaredNorm() / static_cast<double>(count));
-}
-
 /// The mirrored triangles near the hole, patch frame.
 struct Cropped {
   Points points;
   Triangles triangles;
+  int surface_triangles = 0;
 };
 
 Cropped mirrored_neighborhood(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
@@ -77,7 +57,29 @@ Cropped mirrored_neighborhood(const SurfaceModel& model, const TriangleIndex& in
     std::swap(own[1], own[2]);  // an image is turned inside out
     cropped.triangles.push_back(own);
   }
+  cropped.surface_triangles = static_cast<int>(cropped.triangles.size());
   return cropped;
+}
+
+void add_image_of_patch(const Patch& patch, const MirrorPlane& plane, Cropped& cropped) {
+  const int first = static_cast<int>(cropped.points.size());
+  for (const Vec3& p : patch.positions) cropped.points.push_back(patch.to_frame(plane.image_of(patch.to_mesh(p))));
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    const auto& [a, b, c] = patch.triangles[f];
+    cropped.triangles.push_back({first + a, first + c, first + b});
+  }
+}
+
+/// The vertices that have an image of the surface.
+Collar with_image(const Collar& collar, const SurfaceTree& tree, const Patch& patch, int surface_triangles) {
+  Collar known{{}, {}, collar.diameter};
+  for (std::size_t i = 0; i < collar.vertices.size(); ++i) {
+    const int v = collar.vertices[i];
+    if (tree.closest(patch.positions[v]).triangle >= surface_triangles) continue;
+    known.vertices.push_back(v);
+    known.normals.push_back(collar.normals[i]);
+  }
+  return known;
 }
 
 /// Rigid, about a center.
@@ -143,32 +145,35 @@ Collar collar_of(const Patch& patch) {
     collar.vertices.push_back(v);
     collar.normals.push_back(normals[v].normalized());
   }
-  if (!collar.vertices.empty() && collar.diameter > 0) collar.quadric = distance_from_quadric(patch, collar);
   return collar;
 }
 
 MirrorImage mirror_image(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
-                         const Collar& collar, const MirrorPlane& plane, const CancelToken& cancel) {
-  constexpr std::size_t fewest_triangles = 20;
+                         const Collar& collar, const MirrorPlane& plane, MirrorOf what, const CancelToken& cancel) {
+  constexpr std::size_t fewest_triangles = 20, fewest_vertices = 6;
   MirrorImage image;
   Motion motion;
   motion.center = Vec3::Zero();
   for (int v : patch.loops[0]) motion.center += patch.positions[v] / static_cast<double>(patch.loops[0].size());
   Cropped cropped = mirrored_neighborhood(model, index, patch, motion.center, image_reach * collar.diameter, plane);
-  if (cropped.triangles.size() < fewest_triangles || collar.vertices.size() < 6) return image;
+  if (cropped.triangles.size() < fewest_triangles) return image;
+  if (what == MirrorOf::closed_surface) add_image_of_patch(patch, plane, cropped);
   const SurfaceTree tree(cropped.points, cropped.triangles);
+  image.collar = with_image(collar, tree, patch, cropped.surface_triangles);
+  if (image.collar.vertices.size() < fewest_vertices) return image;
   for (int k = 0; k < fit_steps; ++k) {
     if (cancel.cancelled()) return image;
-    if (improve(motion, patch, collar, nearest_points(tree, motion, patch, collar)) < least_motion) break;
+    if (improve(motion, patch, image.collar, nearest_points(tree, motion, patch, image.collar)) < least_motion) break;
   }
-  image.nearest = nearest_points(tree, motion, patch, collar);
+  image.nearest = nearest_points(tree, motion, patch, image.collar);
   double sum = 0;
   for (std::size_t i = 0; i < image.nearest.size(); ++i)
-    sum += (patch.positions[collar.vertices[i]] - image.nearest[i]).squaredNorm();
+    sum += (patch.positions[image.collar.vertices[i]] - image.nearest[i]).squaredNorm();
   image.misfit = std::sqrt(sum / static_cast<double>(image.nearest.size())) / collar.diameter;
   for (Vec3& p : cropped.points) p = motion.of(p);
   image.points = std::move(cropped.points);
   image.triangles = std::move(cropped.triangles);
+  image.surface_triangles = cropped.surface_triangles;
   return image;
 }
 

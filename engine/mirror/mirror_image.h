@@ -14,22 +14,27 @@ struct Collar {
   std::vector<int> vertices;  ///< of the patch: on its loop, and up to six rings and 0.7 diameters from it
   Points normals;             ///< of each, of the surface alone
   double diameter = 0;        ///< of the loop, patch frame
-  double quadric = 0;         ///< rms distance from the best quadric, in diameters
 };
 
 /// @param patch  with one loop.
 Collar collar_of(const Patch& patch);
 
 struct MirrorImage {
-  Points points;        ///< patch frame, where it was moved to
-  Triangles triangles;  ///< oriented like the surface
-  Points nearest;       ///< of each collar vertex, on the image
-  double misfit = 0;    ///< rms distance of the collar from the image, in loop diameters
+  Points points;              ///< patch frame, where it was moved to
+  Triangles triangles;        ///< oriented like the surface; those of the patch's own image last
+  int surface_triangles = 0;  ///< those before them
+  /// Of the collar's vertices that have an image: all but those that lie on the image of the patch.
+  Collar collar;
+  Points nearest;     ///< of each vertex of `collar`, on the image
+  double misfit = 0;  ///< rms distance of `collar` from the image, in loop diameters
 };
+
+/// What is mirrored: the surface alone, or the surface with its hole closed by the patch.
+enum class MirrorOf { surface, closed_surface };
 
 /// What the surface has within two diameters of the image of the hole, mirrored and moved.
 /// @param index  of the model's soup triangles. @returns no triangles where there is nothing, or when cancelled.
 MirrorImage mirror_image(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
-                         const Collar& collar, const MirrorPlane& plane, const CancelToken& cancel);
+                         const Collar& collar, const MirrorPlane& plane, MirrorOf what, const CancelToken& cancel);
 
 }  // namespace loopmend

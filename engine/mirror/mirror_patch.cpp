@@ -3,7 +3,9 @@
 
 #include "mirror/carry_misfit.h"
 #include "mirror/cut_image.h"
+#include "mirror/symmetric_patch.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -11,8 +13,8 @@ namespace loopmend {
 
 namespace {
 
-/// Largest misfit, in parts of the distance from a quadric and in diameters (docs/math/mirror_image.md, "The test").
-constexpr double most_of_quadric = 0.1, most_misfit = 0.02;
+/// Largest misfit, diameters (docs/math/mirror_image.md, "The test").
+constexpr double most_misfit = 0.02;
 /// Of a plane, in extents of the surface: beyond, the surface has no symmetry, and what fits does so by chance.
 constexpr double most_plane_misfit = 0.012;
 
@@ -26,23 +28,38 @@ FittedImage best_image(const SurfaceModel& model, const TriangleIndex& index, co
                        const std::vector<MirrorPlane>& planes, const CancelToken& cancel) {
   FittedImage best;
   best.fit.answer = MirrorFit::Answer::open_there;
-  best.fit.quadric = collar.quadric;
   best.fit.misfit = std::numeric_limits<double>::quiet_NaN();
   if (!planes.empty()) best.fit.plane = planes.front();
   for (const MirrorPlane& plane : planes) {
     if (plane.misfit > most_plane_misfit && planes.front().misfit <= most_plane_misfit) break;
-    MirrorImage image = mirror_image(model, index, patch, collar, plane, cancel);
+    MirrorImage image = mirror_image(model, index, patch, collar, plane, MirrorOf::surface, cancel);
     if (image.triangles.empty() || (!best.image.triangles.empty() && best.fit.misfit <= image.misfit)) continue;
     best.fit.plane = plane;
     best.fit.misfit = image.misfit;
     best.fit.answer = MirrorFit::Answer::misfit;
     if (plane.misfit > most_plane_misfit)
       best.fit.answer = MirrorFit::Answer::no_symmetry;
-    else if (fits(image.misfit, collar.quadric))
+    else if (image.misfit < most_misfit)
       best.fit.answer = MirrorFit::Answer::proposed;
     best.image = std::move(image);
   }
   return best;
+}
+
+/// How well the image of the surface, with its hole closed, fits in the first plane of symmetry that the hole lies across; of an
+/// image with nothing to compare, `open_there`.
+std::optional<MirrorFit> fit_across(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
+                                    const Collar& collar, const std::vector<MirrorPlane>& planes,
+                                    const CancelToken& cancel) {
+  const auto plane = std::find_if(planes.begin(), planes.end(), [&](const MirrorPlane& candidate) {
+    return candidate.misfit <= most_plane_misfit && lies_across(patch, candidate);
+  });
+  if (plane == planes.end()) return std::nullopt;
+  const MirrorImage image = mirror_image(model, index, patch, collar, *plane, MirrorOf::closed_surface, cancel);
+  MirrorFit fit{MirrorFit::Answer::open_there, *plane, image.misfit};
+  if (!image.triangles.empty())
+    fit.answer = image.misfit < most_misfit ? MirrorFit::Answer::across : MirrorFit::Answer::misfit;
+  return fit;
 }
 
 /// The patch with other triangles of its own. @param own  the loop's vertices first, in loop order
@@ -74,6 +91,22 @@ Patch with_own_mesh(const Patch& initial, const LoopPatch& own) {
   return patch;
 }
 
+/// Offers the image, cut and joined to the loop, with wider and wider strips. @returns `proposed` where one was taken.
+MirrorFit::Answer first_taken(const Patch& initial, MirrorImage& image, const Take& take, const CancelToken& cancel) {
+  using Answer = MirrorFit::Answer;
+  if (!carry_misfit(initial, image)) return Answer::misfit;
+  bool offered = false;
+  for (const CutImage& cut : cut_image(initial, image, cancel)) {
+    if (cut.fault != CutFault::none) {
+      if (offered) break;
+      return cut.fault == CutFault::open_there ? Answer::open_there : Answer::no_disc;
+    }
+    offered = true;
+    if (take(with_own_mesh(initial, cut.patch))) return Answer::proposed;
+  }
+  return Answer::faulty;
+}
+
 }  // namespace
 
 const char* to_string(MirrorFit::Answer answer) {
@@ -81,7 +114,10 @@ const char* to_string(MirrorFit::Answer answer) {
     case MirrorFit::Answer::not_asked: return "not_asked";
     case MirrorFit::Answer::proposed: return "proposed";
     case MirrorFit::Answer::misfit: return "misfit";
+    case MirrorFit::Answer::no_gain: return "no_gain";
     case MirrorFit::Answer::no_symmetry: return "no_symmetry";
+    case MirrorFit::Answer::across: return "across";
+    case MirrorFit::Answer::symmetric: return "symmetric";
     case MirrorFit::Answer::open_there: return "open_there";
     case MirrorFit::Answer::no_disc: return "no_disc";
     case MirrorFit::Answer::faulty: return "faulty";
@@ -90,13 +126,14 @@ const char* to_string(MirrorFit::Answer answer) {
   return "";
 }
 
-bool fits(double misfit, double quadric) { return misfit < most_misfit && misfit < most_of_quadric * quadric; }
-
 Notice notice_on(const MirrorFit& fit) {
   switch (fit.answer) {
     case MirrorFit::Answer::proposed: return {NoticeCode::mirror_image, {fit.misfit}};
-    case MirrorFit::Answer::misfit: return {NoticeCode::mirror_misfit, {fit.misfit, fit.quadric}};
+    case MirrorFit::Answer::misfit: return {NoticeCode::mirror_misfit, {fit.misfit}};
+    case MirrorFit::Answer::no_gain: return {NoticeCode::mirror_no_gain, {fit.misfit, fit.difference}};
     case MirrorFit::Answer::no_symmetry: return {NoticeCode::mirror_no_symmetry, {fit.plane.misfit}};
+    case MirrorFit::Answer::across: return {NoticeCode::mirror_across, {fit.misfit}};
+    case MirrorFit::Answer::symmetric: return {NoticeCode::mirror_symmetric, {fit.misfit}};
     case MirrorFit::Answer::not_asked:
     case MirrorFit::Answer::open_there: return {NoticeCode::mirror_open, {}};
     case MirrorFit::Answer::no_disc:
@@ -106,38 +143,20 @@ Notice notice_on(const MirrorFit& fit) {
   return {};
 }
 
-MirrorPatch mirror_patch(const SurfaceModel& model, const TriangleIndex& index, const Patch& initial,
-                         const std::vector<MirrorPlane>& planes, const IsSound& is_sound, const CancelToken& cancel) {
+MirrorFit mirror_patch(const SurfaceModel& model, const TriangleIndex& index, const Patch& initial,
+                       const std::vector<MirrorPlane>& planes, const Take& take, const CancelToken& cancel) {
   using Answer = MirrorFit::Answer;
-  if (planes.empty()) return {};
+  MirrorFit none;
+  if (planes.empty()) return none;
   if (initial.loops.size() != 1) {
-    MirrorPatch none;
-    none.fit.answer = Answer::several_loops;
+    none.answer = Answer::several_loops;
     return none;
   }
   const Collar collar = collar_of(initial);
   FittedImage found = best_image(model, index, initial, collar, planes, cancel);
-  MirrorPatch made{found.fit, std::nullopt};
-  if (!made.fit.is_proposed() || cancel.cancelled()) return made;
-  if (!carry_misfit(initial, collar, found.image)) {
-    made.fit.answer = Answer::misfit;
-    return made;
-  }
-  made.fit.answer = Answer::faulty;
-  bool tried = false;
-  for (const CutImage& cut : cut_image(initial, found.image, cancel)) {
-    if (cut.fault != CutFault::none) {
-      if (!tried) made.fit.answer = cut.fault == CutFault::open_there ? Answer::open_there : Answer::no_disc;
-      break;
-    }
-    tried = true;
-    Patch patch = with_own_mesh(initial, cut.patch);
-    if (!is_sound(patch)) continue;
-    made.fit.answer = Answer::proposed;
-    made.patch = std::move(patch);
-    break;
-  }
-  return made;
+  if (found.fit.is_proposed()) found.fit.answer = first_taken(initial, found.image, take, cancel);
+  if (found.fit.answer != Answer::open_there && found.fit.answer != Answer::misfit) return found.fit;
+  return fit_across(model, index, initial, collar, planes, cancel).value_or(found.fit);
 }
 
 }  // namespace loopmend

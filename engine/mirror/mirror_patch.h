@@ -9,7 +9,7 @@
 #include "mirror/mirror_plane.h"
 
 #include <functional>
-#include <optional>
+#include <limits>
 #include <vector>
 
 namespace loopmend {
@@ -19,18 +19,23 @@ struct MirrorFit {
   enum class Answer {
     not_asked,    ///< without a plane
     proposed,     ///< it fits
-    misfit,       ///< it fits too badly, or hardly better than a plain quadric would
+    misfit,       ///< it fits too badly
+    no_gain,      ///< it fits, but the ordinary patch is as near to it as the surface around is
     no_symmetry,  ///< the surface is not its own image in any plane
-    open_there,   ///< nothing to copy: the surface has a hole or its end there, or the hole lies across the plane
+    across,       ///< it fits, but the hole lies across the plane
+    symmetric,    ///< the same, and the patch was made symmetric
+    open_there,   ///< nothing to copy: the surface has a hole or its end there
     no_disc,      ///< what is there does not close the hole in one part
     faulty,       ///< the patch folds or cuts the surface
     several_loops,
   } answer = Answer::not_asked;
-  MirrorPlane plane;   ///< that fits this hole best
-  double misfit = 0;   ///< rms distance of the surface around the hole from its image, in loop diameters
-  double quadric = 0;  ///< the same from a quadric
+  MirrorPlane plane;  ///< that fits this hole best
+  double misfit = 0;  ///< rms distance of the surface around the hole from its image, in loop diameters
+  double difference = std::numeric_limits<double>::quiet_NaN();  ///< of the image from the ordinary patch, likewise
 
   bool is_proposed() const { return answer == Answer::proposed; }
+  /// Whether it is seen in the patch.
+  bool is_used() const { return is_proposed() || answer == Answer::symmetric; }
 };
 
 /// The word of reports.
@@ -39,21 +44,13 @@ const char* to_string(MirrorFit::Answer answer);
 /// What a person has to know of a fit, with its figures.
 Notice notice_on(const MirrorFit& fit);
 
-/// Whether an image with this misfit is taken.
-bool fits(double misfit, double quadric);
+/// Takes a patch, unless it folds or cuts anything.
+using Take = std::function<bool(const Patch&)>;
 
-struct MirrorPatch {
-  MirrorFit fit;
-  std::optional<Patch>
-      patch;  ///< where it is proposed: the loop and the surface outside are those of the initial patch
-};
-
-/// Tells whether a patch folds or cuts anything.
-using IsSound = std::function<bool(const Patch&)>;
-
-/// @param initial  any patch with one loop. @param is_sound  is asked for patches with wider and wider strips, until one is.
-MirrorPatch mirror_patch(const SurfaceModel& model, const TriangleIndex& index, const Patch& initial,
-                         const std::vector<MirrorPlane>& planes, const IsSound& is_sound,
-                         const CancelToken& cancel = {});
+/// @param initial  any patch with one loop; its loop and the surface outside are those of the image, too.
+/// @param take  is asked for patches with wider and wider strips, until it takes one.
+/// @returns `proposed` where one was taken.
+MirrorFit mirror_patch(const SurfaceModel& model, const TriangleIndex& index, const Patch& initial,
+                       const std::vector<MirrorPlane>& planes, const Take& take, const CancelToken& cancel = {});
 
 }  // namespace loopmend

@@ -273,10 +273,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   }
   const auto start = std::chrono::steady_clock::now();
   PatchResult mirrored;
-  if (problem.mirror_planes && !problem.mirror_planes->empty() && problem.loops.size() == 1) {
+  if (problem.mirror_planes && !problem.mirror_planes->empty() && problem.loops.size() == 1)
     mirrored = mirrored_patch(problem, options, cancel);
-    if (is_filled(mirrored.status)) return mirrored;
-  }
   const LoopEdits edits =
       continues_edges(options) ? edits_of(problem.scan.model, problem.initial, options.edge_edits) : LoopEdits();
   // A loop with an edge across it is no flat cut.
@@ -310,9 +308,16 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   result.seconds.choice = choice;
   result.flow = options.flow;
   result.seams_before = judge.initial_seams();
+  if (is_filled(mirrored.status) && !cancel.cancelled() && is_copied(result, mirrored)) {
+    mirrored.attempts.insert(mirrored.attempts.end(), result.attempts.begin(), result.attempts.end());
+    mirrored.seconds.rejected = result.seconds.total + result.seconds.rejected;
+    return mirrored;
+  }
   result.mirror = mirrored.mirror;
   result.attempts.insert(result.attempts.begin(), mirrored.attempts.begin(), mirrored.attempts.end());
-  result.reason = joined(std::move(mirrored.reason), "; ", std::move(result.reason));
+  make_symmetric(problem, judge, cancel, result);
+  if (result.mirror.answer != MirrorFit::Answer::not_asked)
+    result.reason = joined(message_of(notice_on(result.mirror)), "; ", std::move(result.reason));
   if (!edits.drawn.empty() && result.method != Method::sharp_edges)
     result.reason = joined(say("no sharp edge fits where one was drawn: the surfaces beside it do not meet there"),
                            "; ", std::move(result.reason));

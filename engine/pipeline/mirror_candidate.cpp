@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/mirror_candidate.h"
 
+#include "mesh/surface_tree.h"
+#include "mirror/symmetric_patch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +17,28 @@ constexpr const char* mirror_name = text_to_say("mirror image");
 /// (docs/math/mirror_image.md, "How far off").
 constexpr double mirror_intercept = -1.115, mirror_slope = 0.823;
 constexpr double mirror_half = -0.034, mirror_likely = 0.544, mirror_most = 0.872;
+/// Of the copy from the ordinary patch, in misfits: where it is less, noise and asymmetry may be all of it (docs/math/mirror_image.md, "The
+/// test").
+constexpr double least_difference = 3;
 constexpr double least_mirror_misfit = 5e-4;  ///< below, the copy is as good as the meshes of both sides are
 
 bool is_of_shape(NoticeCode code) {
   return code == NoticeCode::bubble || code == NoticeCode::high_over_loop || code == NoticeCode::dome_over_flat_loop ||
-         code == NoticeCode::curvature_torn;
+         code == NoticeCode::curvature_torn || code == NoticeCode::bent_inside;
+}
+
+/// Of the copy from the other patch, in diameters: rms over the area.
+double difference(const Patch& copy, const Patch& other) {
+  const SurfaceTree tree(other.positions, {other.triangles.begin(), other.triangles.begin() + other.patch_triangles});
+  double squares = 0, area = 0;
+  for (int f = 0; f < copy.patch_triangles; ++f) {
+    const auto& [a, b, c] = copy.triangles[f];
+    const Vec3 &p = copy.positions[a], &q = copy.positions[b], &r = copy.positions[c], middle = (p + q + r) / 3;
+    const double own = (q - p).cross(r - p).norm();
+    area += own;
+    squares += own * (tree.closest(middle).place - middle).squaredNorm();
+  }
+  return std::sqrt(squares / area) / loop_diameter(copy, 0);
 }
 
 void drop_findings_on_shape(std::vector<Verdict>& verdicts) {
@@ -37,24 +57,56 @@ PatchResult mirrored_patch(const PatchProblem& problem, const EvolutionOptions& 
   PatchResult result;
   result.flow = options.flow;
   result.attempts = {mirror_name};
+  const AttemptContext context{problem, nullptr, judge, {}, cancel};
   const auto is_sound = [&](const Patch& patch) {
+    result.patch = patch;
     result.validity = validate(problem.scan, patch);
     result.seams = seam_reports(patch);
     result.verdicts = judge(patch, result.validity, result.seams);
+    open_folds(context, options.flow, result);
     drop_findings_on_shape(result.verdicts);
     return worst(result.verdicts) != Grade::bad;
   };
-  MirrorPatch made =
+  result.mirror =
       mirror_patch(problem.scan.model, problem.scan.index, problem.initial, *problem.mirror_planes, is_sound, cancel);
-  result.mirror = made.fit;
-  result.reason = message_of(notice_on(made.fit));
-  if (!made.patch) return result;
+  result.reason = message_of(notice_on(result.mirror));
+  if (!result.mirror.is_proposed()) return result;
   result.status = PatchStatus::faired;
   result.method = Method::mirror_image;
   result.made_by = mirror_name;
-  result.patch = std::move(*made.patch);
   result.seams_before = judge.initial_seams();
   return result;
+}
+
+bool is_copied(const PatchResult& ordinary, PatchResult& copy) {
+  MirrorFit& fit = copy.mirror;
+  fit.difference = difference(copy.patch, ordinary.patch);
+  if (is_filled(ordinary.status) && worst(ordinary.verdicts) != Grade::bad &&
+      !(fit.difference > least_difference * fit.misfit))
+    fit.answer = MirrorFit::Answer::no_gain;
+  return fit.is_proposed();
+}
+
+void make_symmetric(const PatchProblem& problem, const Judge& judge, const CancelToken& cancel, PatchResult& result) {
+  const bool is_smooth = result.method != Method::initial_patch && result.method != Method::sharp_edges;
+  if (result.mirror.answer != MirrorFit::Answer::across || !is_filled(result.status) || !is_smooth) return;
+  const DeviationEstimate deviation = expected_deviation(result.patch, cancel);
+  if (deviation.loops.empty() ||
+      deviation.loops[0].half < result.mirror.misfit * loop_diameter(result.patch, 0) * result.patch.scale)
+    return;
+  std::optional<Patch> symmetric =
+      symmetric_patch(problem.scan.model, problem.scan.index, result.patch, result.mirror.plane, cancel);
+  if (!symmetric) return;
+  const Validity validity = validate(problem.scan, *symmetric);
+  const std::vector<SeamReport> seams = seam_reports(*symmetric);
+  const std::vector<Verdict> verdicts = judge(*symmetric, validity, seams);
+  if (faults(result.verdicts) < faults(verdicts) || worst(result.verdicts) < worst(verdicts)) return;
+  result.patch = std::move(*symmetric);
+  result.validity = validity;
+  result.seams = seams;
+  result.verdicts = verdicts;
+  result.status = PatchStatus::faired;
+  result.mirror.answer = MirrorFit::Answer::symmetric;
 }
 
 ExpectedDeviation expected_mirror_deviation(double misfit) {

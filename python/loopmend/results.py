@@ -171,11 +171,12 @@ class ExpectedDeviation:
 class MirrorFit:
     """How well the mirror image of the other side fits around a hole, and whether it was copied.
 
-    answer: "proposed": it was copied; "misfit": the surface around fits it too badly; "no_symmetry": no plane was found; "open_there": nothing is there; "no_disc",
+    answer: "proposed": it was copied; "misfit": the surface around fits it too badly; "no_gain": the ordinary patch
+        is as near to it; "symmetric": the hole lies across the plane, and its patch was made symmetric; "across": and was not; "no_symmetry": no plane was found; "open_there": nothing is there; "no_disc",
         "faulty": what is there does not close the hole without a fault.
     is_taken: whether it was copied.
     misfit: rms distance of the surface around the hole from the image, in diameters of the hole; NaN without an image.
-    quadric: the same from the best quadric.
+    difference: rms distance of the image from the ordinary patch, likewise; NaN where nothing was compared.
     text: the answer as a sentence, with its figures.
     plane_point, plane_normal: the mirror plane; the normal has length 1.
     plane_misfit: seven tenths of the surface lie within so much of the image, in diagonals of the box of the surface; 0 for a
@@ -185,7 +186,7 @@ class MirrorFit:
     answer: str
     is_taken: bool
     misfit: float
-    quadric: float
+    difference: float
     text: str
     plane_point: Tuple[float, float, float]
     plane_normal: Tuple[float, float, float]

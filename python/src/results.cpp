@@ -43,7 +43,7 @@ py::object mirror_figures(const MirrorFit& fit) {
   if (fit.answer == MirrorFit::Answer::not_asked) return py::none();
   const auto vector = [](const Vec3& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
   return py::dict("answer"_a = to_string(fit.answer), "is_taken"_a = fit.is_proposed(), "misfit"_a = fit.misfit,
-                  "quadric"_a = fit.quadric, "text"_a = message_of(notice_on(fit)).english(),
+                  "difference"_a = fit.difference, "text"_a = message_of(notice_on(fit)).english(),
                   "plane_point"_a = vector(fit.plane.point), "plane_normal"_a = vector(fit.plane.normal),
                   "plane_misfit"_a = fit.plane.misfit);
 }

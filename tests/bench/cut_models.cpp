@@ -191,7 +191,7 @@ void print(const Hole& hole) {
     if (hole.d.contains(method)) std::printf(" %s %-7s", method.c_str(), number(hole.d.at(method)).c_str());
   if (hole.d.contains(mirror_name))
     std::printf(" %s, misfit %s of %s", to_string(hole.mirror.answer), number(hole.mirror.misfit).c_str(),
-                number(hole.mirror.quadric).c_str());
+                number(hole.mirror.difference).c_str());
   std::printf(" score %-5s %5.2f s %s, %s\n", number(hole.score("auto")).c_str(), hole.seconds, hole.status.c_str(),
               hole.attempt.c_str());
   std::fflush(stdout);
@@ -280,7 +280,7 @@ Table mirror_table(const std::vector<Hole>& holes) {
 
 std::string csv(const std::vector<Hole>& holes) {
   Table table({"hole", "model", "shape", "edges", "removed", "method", "d", "score", "status", "attempt", "seconds",
-               "second_order", "mirror", "misfit", "quadric"});
+               "second_order", "mirror", "misfit", "difference"});
   for (const Hole& hole : holes)
     for (const auto& [method, d] : hole.d)
       table.add({hole.name, hole.model, hole.shape, number(hole.edges), number(hole.removed), method, number(d),
@@ -288,7 +288,7 @@ std::string csv(const std::vector<Hole>& holes) {
                  method == "auto" ? number(hole.seconds) : "", method == "auto" ? number(hole.second_order) : "",
                  method == mirror_name ? to_string(hole.mirror.answer) : "",
                  method == mirror_name ? number(hole.mirror.misfit) : "",
-                 method == mirror_name ? number(hole.mirror.quadric) : ""});
+                 method == mirror_name ? number(hole.mirror.difference) : ""});
   return table.csv();
 }
 

@@ -2,6 +2,8 @@
 #include "pipeline/mirror_candidate.h"
 
 #include "core/error.h"
+#include "core/random.h"
+#include "mesh/surface_tree.h"
 #include "pipeline/fill_holes.h"
 #include "samples/mesh_facts.h"
 #include "support/filled_surface.h"
@@ -76,13 +78,68 @@ TEST(MirrorImage, HasTheSameBitsForOneThreadAndTwo) {
   EXPECT_EQ(one.after.triangles, two.after.triangles);
 }
 
+TEST(MirrorImage, BringsBackABumpUnderNoise) {
+  const test::BumpyEllipsoid shape;
+  TriangleSoup noisy = shape.open_mesh(5, 0.32);  // the whole bump: what is left around it is smooth
+  constexpr double noise = 1e-3;
+  Random random(5);
+  for (Vec3& p : noisy.points)
+    p += noise * Vec3(random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7));
+  const Filled mirror(noisy), flow(noisy, {});
+  const HoleResult& hole = mirror.holes.front();
+  ASSERT_EQ(hole.mirror.answer, MirrorFit::Answer::proposed) << hole.reason();
+  EXPECT_GT(hole.mirror.difference, 3 * hole.mirror.misfit);
+  EXPECT_LT(mirror.farthest(shape), 8 * noise / hole.loop.diameter);
+  EXPECT_GT(flow.farthest(shape), 0.2);  // the bump is 0.25 high over a hole of 0.7
+}
+
+/// Around a place on the plane x = 0, more of it on the right.
+TriangleSoup open_across(const test::BumpyEllipsoid& shape) {
+  const Vec3 middle = Vec3(0.3, 0.75, 0.3).normalized();
+  return trim_boundaries(cut(shape.mesh(5), [&](const Vec3& p) {
+    return ((shape.motion().inverse() * p).normalized() - middle).norm() < 0.55;
+  }));
+}
+
+TEST(MirrorImage, OfAHoleAcrossThePlaneMakesItsPatchSymmetric) {
+  const test::BumpyEllipsoid shape;
+  const Filled mirror(open_across(shape)), flow(open_across(shape), {});
+  const HoleResult& hole = mirror.holes.front();
+  ASSERT_EQ(hole.mirror.answer, MirrorFit::Answer::symmetric) << hole.reason();
+  EXPECT_EQ(hole.status, PatchStatus::faired);  // no flow ends there
+  EXPECT_NE(hole.reason().english().find("made symmetric"), std::string::npos);
+  const auto asymmetry = [&](const Filled& filled) {
+    const MirrorPlane plane = make_mirror_plane(shape.plane_point(), shape.plane_normal());
+    const SurfaceTree surface(filled.after.points, filled.after.triangles);
+    double most = 0;
+    for (std::size_t v = filled.before.points.size(); v < filled.after.points.size(); ++v) {
+      const Vec3 image = plane.image_of(filled.after.points[v]);
+      most = std::max(most, (surface.closest(image).place - image).norm());
+    }
+    return most / filled.holes.front().loop.diameter;
+  };
+  EXPECT_LT(asymmetry(mirror), 0.3 * asymmetry(flow));
+  EXPECT_LT(mirror.farthest(shape), flow.farthest(shape));
+}
+
+TEST(MirrorImage, LeavesAPatchAcrossThePlaneAsItIsWhereTheSidesDiffer) {
+  test::BumpyEllipsoid shape;
+  shape.left_height = 0.1;
+  FillOptions options;
+  options.mirror_planes = {make_mirror_plane(shape.plane_point(), shape.plane_normal())};
+  const Filled mirror(open_across(shape), options), flow(open_across(shape), {});
+  EXPECT_FALSE(mirror.holes.front().mirror.is_used()) << mirror.holes.front().reason();
+  EXPECT_EQ(mirror.after.points, flow.after.points);
+}
+
 TEST(MirrorImage, IsRefusedWhereTheOtherSideIsAnother) {
   test::BumpyEllipsoid shape;
   shape.left_height = 0.1;
   const Filled mirror(shape.open_mesh(5)), flow(shape.open_mesh(5), {});
   const HoleResult& hole = mirror.holes.front();
-  EXPECT_EQ(hole.mirror.answer, MirrorFit::Answer::misfit);
+  EXPECT_EQ(hole.mirror.answer, MirrorFit::Answer::no_gain);
   EXPECT_GT(hole.mirror.misfit, 0.01);
+  EXPECT_LT(hole.mirror.difference, 3 * hole.mirror.misfit);
   EXPECT_NE(hole.outcome().made_by, "mirror image");
   EXPECT_NE(hole.reason().english().find("not copied from the mirror image"), std::string::npos) << hole.reason();
   EXPECT_EQ(hole.outcome().attempts.front(), "mirror image");
