@@ -21,6 +21,14 @@ struct SharpPatch {
   std::vector<char> creased;  ///< of each loop edge: whether the patch continues another side than the one across it
 };
 
+struct ContinuedEdges {
+  /// Nothing where no sharp edge runs on: one surface explains the neighborhood as well, the loop is off the surfaces, or the parts
+  /// are no discs.
+  std::optional<SharpPatch> patch;
+  /// Whether two or more sides fit the neighborhood so closely that it has sharp edges beyond doubt.
+  bool are_clear = false;
+};
+
 /// What a person says of the edges of one loop, by places on it.
 struct LoopEdits {
   std::vector<std::pair<int, int>> drawn;  ///< ends of an edge, whatever the neighborhood shows
@@ -33,9 +41,7 @@ struct LoopEdits {
 /// side's surface, and carries what the loop is off that surface into it.
 /// @param initial  patch of one loop. @param edits  by hand. Between drawn edges and the sides beside them greater distances are
 /// allowed; a stopped edge joins the sides beside it.
-/// @returns nothing where no sharp edge runs on: one surface explains the neighborhood as well, the loop is off the surfaces, or
-/// the parts are no discs.
-std::optional<SharpPatch> continue_sharp_edges(const Patch& initial, const LoopEdits& edits, const CancelToken& cancel);
+ContinuedEdges continue_sharp_edges(const Patch& initial, const LoopEdits& edits, const CancelToken& cancel);
 
 /// Whether sides with sharp edges between them explain the neighborhood of a patch of one loop: fast, and true where
 /// continue_sharp_edges() may still find nothing.

@@ -27,6 +27,7 @@ struct Situation {
   std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
   std::vector<LoopEnd> ends;           ///< of each loop; empty where the loops bound no holes
   std::optional<SharpPatch> sharp;     ///< where sharp edges run on into the hole
+  bool has_clear_edges = false;        ///< whether sharp edges end at the hole beyond doubt
 
   const Patch& initial() const { return context.problem.initial; }
   bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
@@ -194,6 +195,15 @@ Message reason_of_cut(const Situation& s) {
       .with_code("surface_ends");
 }
 
+/// Of edges that a person drew, or that the scan has, where no patch was made that continues them.
+Message why_no_edges(const Situation& s, const LoopEdits& edits) {
+  if (s.sharp || !continues_edges(s.options)) return {};
+  if (!edits.drawn.empty())
+    return say("no sharp edge fits where one was drawn: the surfaces beside it do not meet there");
+  if (!s.has_clear_edges || !edits.empty()) return {};
+  return say("sharp edges of the scan end at this hole and were not continued: --draw-edge draws them");
+}
+
 PatchResult best_candidate(const Situation& s) {
   const auto start = std::chrono::steady_clock::now();
   PatchResult best;
@@ -286,10 +296,14 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       std::nullopt,
                       std::nullopt,
                       ends,
-                      std::nullopt};
+                      std::nullopt,
+                      false};
   if (is_judged(options)) {
-    if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut())
-      situation.sharp = continue_sharp_edges(problem.initial, edits, cancel);
+    if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut()) {
+      ContinuedEdges continued = continue_sharp_edges(problem.initial, edits, cancel);
+      situation.sharp = std::move(continued.patch);
+      situation.has_clear_edges = continued.are_clear;
+    }
     if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {
       const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {
@@ -318,9 +332,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   make_symmetric(problem, judge, cancel, result);
   if (result.mirror.answer != MirrorFit::Answer::not_asked)
     result.reason = joined(message_of(notice_on(result.mirror)), "; ", std::move(result.reason));
-  if (!edits.drawn.empty() && result.method != Method::sharp_edges)
-    result.reason = joined(say("no sharp edge fits where one was drawn: the surfaces beside it do not meet there"),
-                           "; ", std::move(result.reason));
+  if (Message missing = why_no_edges(situation, edits); !missing.empty() && result.method != Method::sharp_edges)
+    result.reason = joined(std::move(missing), "; ", std::move(result.reason));
   if (cancel.cancelled()) result.status = PatchStatus::cancelled;
   return result;
 }

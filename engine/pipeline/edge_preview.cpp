@@ -51,7 +51,7 @@ std::vector<ContinuedEdge> continued_edges(const SurfaceModel& model, const Boun
   if (!initial || initial->free_count == 0 || cancel.cancelled()) return {};
   const LoopEdits own = edits_of(model, *initial, edits);
   if (own.drawn.empty() && loop_end(model, loop) != LoopEnd::runs_on) return {};
-  const std::optional<SharpPatch> sharp = continue_sharp_edges(*initial, own, cancel);
+  const std::optional<SharpPatch> sharp = continue_sharp_edges(*initial, own, cancel).patch;
   std::vector<ContinuedEdge> edges;
   if (!sharp) return edges;
   const auto loop_size = static_cast<int>(initial->loops[0].size());

@@ -13,14 +13,14 @@ namespace {
 
 constexpr const char* mirror_name = text_to_say("mirror image");
 
-/// ln(rms / D) = intercept + slope ln(misfit), and quantiles of the residuals: least squares over 64 holes of 11 models
-/// (docs/math/mirror_image.md, "How far off").
-constexpr double mirror_intercept = -1.115, mirror_slope = 0.823;
-constexpr double mirror_half = -0.034, mirror_likely = 0.544, mirror_most = 0.872;
+/// ln(rms / D) = intercept + slope_δ ln(difference) + slope_s ln(bend of the seam), and quantiles of the residuals: least squares over
+/// 106 copies of 15 models (docs/math/mirror_image.md, "How far off").
+constexpr double mirror_intercept = -6.73, difference_slope = 0.174, seam_slope = 0.909;
+constexpr double mirror_half = -0.097, mirror_likely = 1.008, mirror_most = 1.432;
+constexpr double least_difference_known = 1e-3, least_seam_deg = 0.5;  ///< the fit knows no smaller ones
 /// Of the copy from the ordinary patch, in misfits: where it is less, noise and asymmetry may be all of it (docs/math/mirror_image.md, "The
 /// test").
 constexpr double least_difference = 3;
-constexpr double least_mirror_misfit = 5e-4;  ///< below, the copy is as good as the meshes of both sides are
 
 bool is_of_shape(NoticeCode code) {
   return code == NoticeCode::bubble || code == NoticeCode::high_over_loop || code == NoticeCode::dome_over_flat_loop ||
@@ -109,14 +109,17 @@ void make_symmetric(const PatchProblem& problem, const Judge& judge, const Cance
   result.mirror.answer = MirrorFit::Answer::symmetric;
 }
 
-ExpectedDeviation expected_mirror_deviation(double misfit) {
-  const double usual = std::exp(mirror_intercept + mirror_slope * std::log(std::max(misfit, least_mirror_misfit)));
+ExpectedDeviation expected_mirror_deviation(double difference, double seam_deg) {
+  const double usual =
+      std::exp(mirror_intercept + difference_slope * std::log(std::max(difference, least_difference_known)) +
+               seam_slope * std::log(std::max(seam_deg, least_seam_deg)));
   return {usual * std::exp(mirror_half), usual * std::exp(mirror_likely), usual * std::exp(mirror_most), 0};
 }
 
 DeviationEstimate expected_mirror_deviation(const PatchResult& result) {
   DeviationEstimate estimate;
-  ExpectedDeviation& bounds = estimate.loops.emplace_back(expected_mirror_deviation(result.mirror.misfit));
+  ExpectedDeviation& bounds =
+      estimate.loops.emplace_back(expected_mirror_deviation(result.mirror.difference, result.seams[0].g1_rms_deg));
   const double diameter = loop_diameter(result.patch, 0) * result.patch.scale;
   for (double* bound : {&bounds.half, &bounds.likely, &bounds.most}) *bound *= diameter;
   estimate.vertices.assign(result.patch.free_count, bounds.likely);

@@ -20,8 +20,9 @@ bool is_copied(const PatchResult& ordinary, PatchResult& copy);
 /// @param judge  of the patch.
 void make_symmetric(const PatchProblem& problem, const Judge& judge, const CancelToken& cancel, PatchResult& result);
 
-/// Bounds by the misfit of the image, in diameters (docs/math/mirror_image.md, "How far off").
-ExpectedDeviation expected_mirror_deviation(double misfit);
+/// Bounds of a copy, in diameters (docs/math/mirror_image.md, "How far off"). @param difference  from the ordinary patch, diameters.
+/// @param seam_deg  rms bend at the copy's seam.
+ExpectedDeviation expected_mirror_deviation(double difference, double seam_deg);
 
 /// The same for the patch, mesh units.
 DeviationEstimate expected_mirror_deviation(const PatchResult& result);

@@ -213,11 +213,12 @@ TEST(MirrorImage, NeedsAFlow) {
   EXPECT_THROW(check(options), InvalidArgument);
 }
 
-TEST(ExpectedMirrorDeviation, GrowsWithTheMisfit) {
-  const ExpectedDeviation small = expected_mirror_deviation(0.002), large = expected_mirror_deviation(0.02);
-  EXPECT_LT(small.likely, large.half);
+TEST(ExpectedMirrorDeviation, GrowsWithTheDifferenceAndTheBendOfTheSeam) {
+  const ExpectedDeviation small = expected_mirror_deviation(0.02, 3), rough = expected_mirror_deviation(0.02, 20);
   EXPECT_LT(small.half, small.likely);
   EXPECT_LT(small.likely, small.most);
+  EXPECT_LT(small.likely, rough.half);
+  EXPECT_LT(small.likely, expected_mirror_deviation(0.2, 3).likely);
 }
 
 }  // namespace
