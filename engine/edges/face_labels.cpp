@@ -189,8 +189,31 @@ class Labelling {
     return labels;
   }
 
-  /// Where the same side lies inside both loop edges at a vertex, no other one touches the loop in this vertex alone.
+  /// No side touches the loop in a vertex alone, where another one lies inside both loop edges, and none is as narrow as a vertex.
   void open_pinches(std::vector<int>& labels) const {
+    open_pinches_at_loop(labels);
+    open_narrow_sides(labels);
+  }
+
+  /// Where the triangles of a side at a vertex are in two runs, what lies between them is given to it.
+  void open_narrow_sides(std::vector<int>& labels) const {
+    std::map<std::pair<int, int>, int> runs;  // by vertex and side
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      for (const int v : domain_.triangles[f]) ++runs[{v, labels[f]}];
+    for (const DomainEdge& e : edges_) {
+      if (e.other < 0 || labels[e.face] != labels[e.other]) continue;
+      --runs[{e.a, labels[e.face]}];
+      --runs[{e.b, labels[e.face]}];
+    }
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      for (const int v : domain_.triangles[f]) {
+        if (v < domain_.loop) continue;
+        for (auto at = runs.lower_bound({v, 0}); at != runs.end() && at->first.first == v; ++at)
+          if (at->second > 1) labels[f] = at->first.second;
+      }
+  }
+
+  void open_pinches_at_loop(std::vector<int>& labels) const {
     std::vector<int> inside(static_cast<std::size_t>(domain_.loop), -1);
     for (const DomainEdge& e : edges_)
       if (e.other < 0) inside[static_cast<std::size_t>(e.a)] = labels[e.face];

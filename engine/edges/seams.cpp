@@ -14,6 +14,7 @@ namespace {
 using Edge = std::pair<int, int>;
 
 constexpr int smoothing_rounds = 20;
+constexpr double one_node = 0.25;  ///< edges of the neighborhood: nodes that are nearer to each other are one
 
 /// Vertices of the domain along a seam between two sides, from one node to another.
 struct Chain {
@@ -88,11 +89,20 @@ class SeamTracer {
     return result;
   }
 
-  /// The point of the layout for a node: one of the loop's, or where the surfaces of all sides around it meet.
+  /// The point of the layout for a node: one of the loop's, or where the surfaces of all sides around it meet. At the tip of a pyramid several
+  /// nodes are one point.
   int node(int v) {
-    const auto [entry, is_new] = point_of_node_.emplace(v, static_cast<int>(layout_.points.size()));
-    if (is_new) layout_.points.push_back(place(surfaces(sides_at_.at(v)), domain_.points[v]));
-    return entry->second;
+    const auto known = point_of_node_.find(v);
+    if (known != point_of_node_.end()) return known->second;
+    const Vec3 point = place(surfaces(sides_at_.at(v)), domain_.points[v]);
+    const auto same = std::ranges::find_if(
+        inner_nodes_, [&](int other) { return (layout_.points[other] - point).norm() < one_node * size_(point); });
+    const int number = same != inner_nodes_.end() ? *same : static_cast<int>(layout_.points.size());
+    if (same == inner_nodes_.end()) {
+      layout_.points.push_back(point);
+      inner_nodes_.push_back(number);
+    }
+    return point_of_node_[v] = number;
   }
 
   Vec3 place(const std::vector<const SideSurface*>& surfaces, const Vec3& near) {
@@ -104,7 +114,10 @@ class SeamTracer {
   /// Puts the seam onto the intersection of both surfaces, evenly spaced.
   void lay(Chain& chain) {
     const int from = node(chain.vertices.front()), to = node(chain.vertices.back());
-    if (from == to) return;
+    if (from == to) {
+      if (from >= domain_.loop) chain.points = {from};
+      return;
+    }
     const std::vector<const SideSurface*> both = surfaces(chain.sides);
     Points line{layout_.points[from]};
     for (std::size_t k = 1; k + 1 < chain.vertices.size(); ++k) line.push_back(domain_.points[chain.vertices[k]]);
@@ -198,7 +211,7 @@ class SeamTracer {
     int v = start->first;
     do {
       const int w = next.at(v);
-      outline.push_back(point_of_node_.at(v));
+      if (outline.empty() || outline.back() != point_of_node_.at(v)) outline.push_back(point_of_node_.at(v));
       const auto found = chain_at_.find({v, w});
       if (found == chain_at_.end()) {  // along the loop
         v = w;
@@ -211,11 +224,13 @@ class SeamTracer {
         std::reverse(points.begin(), points.end());
         std::reverse(vertices.begin(), vertices.end());
       }
-      outline.insert(outline.end(), points.begin() + 1, points.end() - 1);
+      if (points.size() > 1) outline.insert(outline.end(), points.begin() + 1, points.end() - 1);
       v = vertices.back();
       walked += vertices.size() - 1;
     } while (v != start->first);
-    return walked == next.size() && outline.size() >= 3 ? outline : std::vector<int>();
+    if (outline.front() == outline.back()) outline.pop_back();
+    const bool touches_itself = std::set<int>(outline.begin(), outline.end()).size() < outline.size();
+    return walked == next.size() && outline.size() >= 3 && !touches_itself ? outline : std::vector<int>();
   }
   bool is_on_node(int v) const { return v < domain_.loop || (beside_.contains(v) && is_node(v)); }
 
@@ -228,6 +243,7 @@ class SeamTracer {
   std::map<int, std::set<int>> beside_;    ///< along seams
   std::map<int, std::set<int>> sides_at_;  ///< of vertices on seams
   std::map<int, int> point_of_node_;
+  std::vector<int> inner_nodes_;  ///< points of the layout
   std::vector<Chain> chains_;
   std::map<Edge, int> chain_at_;  ///< by the directed edges with which a chain begins
   SeamLayout layout_;

@@ -29,7 +29,7 @@ constexpr double most_drawn_misfit = 0.05, most_drawn_misfit_anywhere = 0.2;  //
 constexpr double most_rms_of_lone_side = 0.002;                               ///< diameters, where it is no plane
 /// Diameters. Sides of sharp CAD and constructed models leave 1e-15, those that creases of eleven holes of organic scans seem to part 0.008 and more.
 constexpr double most_rms_of_clear_sides = 0.005;
-constexpr double farthest_seam = 0.6;  ///< from where the labels change, diameters
+constexpr double farthest_seam = 1.2;  ///< from where the labels change, diameters
 /// Diameters of the loop: where an edge fades out farther off, its sides are one beyond that. The first that can be continued counts.
 constexpr std::array reaches = {1.0, 0.5, 0.25};
 constexpr double domain_triangles = 2500;

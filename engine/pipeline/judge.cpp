@@ -325,7 +325,8 @@ void Judge::judge_height(std::size_t l, Verdict& verdict) const {
   if (l >= ends_.size()) return;
   if (ends_[l] == LoopEnd::flat && verdict.height > flat_height)
     add(verdict, Grade::bad, {NoticeCode::dome_over_flat_loop, {verdict.height}});
-  else if (verdict.height > notable_height && verdict.height > notable_ratio * places_[l].ball_height)
+  else if (expected_creases_.empty() && verdict.height > notable_height &&
+           verdict.height > notable_ratio * places_[l].ball_height)
     add(verdict, Grade::look, {NoticeCode::high_over_loop, {verdict.height, places_[l].ball_height}});
 }
 

@@ -184,6 +184,76 @@ TEST(SharpEdges, AKnifesEdgeIsNoFold) {
   }
 }
 
+/// The roof |n · (x, y)| ≤ 1 − z over a regular polygon, n normal to one of its sides, without its tip: rings of triangles down to z = 0. The hole is
+/// not plane, else it would be the end of a cut body.
+struct Roof {
+  int sides = 4;
+  double slope = 1;
+
+  Vec3 place(double radius, double turn) const {
+    const double side = std::floor(turn * sides), share = turn * sides - side;
+    const auto corner = [&](double k) -> Eigen::Vector2d {
+      const double angle = 2 * std::numbers::pi * k / sides;
+      return {std::cos(angle), std::sin(angle)};
+    };
+    const Eigen::Vector2d p = radius * ((1 - share) * corner(side) + share * corner(side + 1));
+    return {p.x(), p.y(), slope * (1 - radius)};
+  }
+  TriangleSoup without_tip(double hole) const {
+    constexpr int rings = 16;
+    const int around = 24 / sides * sides;
+    TriangleSoup soup;
+    for (int i = 0; i <= rings; ++i)
+      for (int j = 0; j < around; ++j) {
+        const double turn = static_cast<double>(j) / around;
+        const double inner = hole * (1 + 0.3 * std::sin(4 * std::numbers::pi * turn + 0.3));
+        soup.points.push_back(place(inner + (1 - inner) * i / rings, turn));
+      }
+    for (int i = 0; i < rings; ++i)
+      for (int j = 0; j < around; ++j) {
+        const int a = i * around + j, b = i * around + (j + 1) % around;
+        soup.triangles.push_back({a, a + around, b});
+        soup.triangles.push_back({b, a + around, b + around});
+      }
+    return soup;
+  }
+  /// How far p is above or below it.
+  double height_over(const Vec3& p) const {
+    double farthest = 0;
+    for (int k = 0; k < sides; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / sides;
+      farthest = std::max(farthest, std::cos(angle) * p.x() + std::sin(angle) * p.y());
+    }
+    return p.z() - slope * (1 - farthest / std::cos(std::numbers::pi / sides));
+  }
+};
+
+/// All sides meet in one point, far above a smooth patch.
+TEST(SharpEdges, TheTipOfAPyramidComesBack) {
+  for (const int sides : {3, 4, 5, 6, 8}) {
+    const Roof roof{sides, 1.2 * std::cos(std::numbers::pi / sides)};  // steeper ones are cut bodies
+    const Filled filled = fill_hole(roof.without_tip(0.3));
+    EXPECT_EQ(filled.patch().made_by, "sharp edges") << sides;
+    EXPECT_EQ(filled.holes.front().verdict().grade, Grade::good) << filled.holes.front().verdict().message();
+    double off = 0, from_tip = 1;
+    for (std::size_t i = filled.points; i < filled.model.soup.points.size(); ++i) {
+      off = std::max(off, std::abs(roof.height_over(filled.model.soup.points[i])));
+      from_tip = std::min(from_tip, (filled.model.soup.points[i] - Vec3(0, 0, roof.slope)).norm());
+    }
+    EXPECT_LT(off, 1e-9) << sides;
+    EXPECT_LT(from_tip, 1e-9) << sides;
+  }
+}
+
+/// A plate so thin that the hole is seven times as wide.
+TEST(SharpEdges, ThatAreNotContinuedAreNamed) {
+  const double cell = 1.0 / 24;
+  const Filled filled = fill_hole(FoldedSheet{{-cell, cell}, {0, 90, 180}, 0.35}.scan());
+  ASSERT_NE(filled.patch().made_by, "sharp edges");
+  EXPECT_NE(filled.holes.front().reason().english().find("sharp edges of the scan end at this hole"), std::string::npos)
+      << filled.holes.front().reason();
+}
+
 TEST(SharpEdges, AStripMissingInAFaceBetweenTwoEdgesIsPlane) {
   const TriangleSoup cube = test::make_cube(24);
   const Filled filled = fill(cut(cube, [](const Vec3& p) {
