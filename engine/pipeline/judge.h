@@ -61,7 +61,7 @@ class Judge {
   /// @param creases  `asked_for`: position alone was asked for at the seam.
   Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases);
 
-  /// The same judge for patches that bend on purpose. @param edges  of their loops that they crease, per loop and edge, from place i
+  /// The same judge for patches that bend on purpose; how high they rise is meant, too. @param edges  of their loops that they crease, per loop and edge, from place i
   /// to i + 1. @param sharpest_deg  largest bend within them that is no fold
   Judge expecting_creases(std::vector<std::vector<char>> edges, double sharpest_deg) const;
 
