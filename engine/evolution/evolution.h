@@ -75,6 +75,8 @@ struct EvolutionOptions {
   double literal_relief = SplitEstimate::exact_construction;
   std::optional<SplitEstimate>
       split;  ///< of the neighborhood, where the caller has it; else it is made where it is wanted
+  /// The same, of the loops: see boundary_fits().
+  std::shared_ptr<const std::vector<std::vector<BoundaryFit>>> fits;
   /// Of holes, to the steady state: added when the patch is done (pipeline/patch_relief.h). An Evolution by itself has no use for it.
   ReliefChoice relief;
   SharpEdges edges = SharpEdges::continued;  ///< of holes, with `automatic` boundary (pipeline/candidates.h)

@@ -15,12 +15,18 @@ namespace {
 constexpr int robust_passes = 3;  ///< one of second order, two that weigh the boundary data
 constexpr int most_passes = 12;   ///< for position or tangent
 
+Eigen::VectorXd confidence_of(const EvolvingPatch& evolving, double radius) {
+  const Patch& patch = evolving.state.patch;
+  return evolving.options.fits ? data_confidence(patch, radius, *evolving.options.fits)
+                               : data_confidence(patch, radius);
+}
+
 }  // namespace
 
 RobustFairing::RobustFairing(const EvolvingPatch& patch, double radius)
     : weighs_boundary_(patch.options.continuity == SeamContinuity::curvature),
       radius_(radius),
-      data_confidence_(weighs_boundary_ ? data_confidence(patch.state.patch, radius) : Eigen::VectorXd()),
+      data_confidence_(weighs_boundary_ ? confidence_of(patch, radius) : Eigen::VectorXd()),
       passes_left_(weighs_boundary_ ? robust_passes : most_passes) {}
 
 /// One fairing. The first in a rough neighborhood is of second order; from its result the boundary vertices are weighed.

@@ -147,6 +147,39 @@ void describe_beyond(const TriangleSoup& soup, const FlatView& view, const std::
   beyond.copy_of.assign(view.origin.begin() + static_cast<std::ptrdiff_t>(soup.points.size()), view.origin.end());
 }
 
+/// @param model  with its repairs
+SurfaceModel view_around(TriangleSoup soup, FlatView view, const AroundLoops& around, SurfaceModel model) {
+  SurfaceBeyond beyond;
+  if (view.is_split) beyond.flat = std::make_shared<const FlatView>(view);
+  model.turned_faces = std::move(view.turned_faces);
+  std::vector<char> points;
+  std::vector<unsigned char> ring;
+  parallel_invoke([&] { beyond.piece_of_point = components(view.all(soup), view.origin.size()); },
+                  [&] {
+                    points = used_points(soup, view, model.repairs);
+                    ring = rings_around(soup, view, around);
+                  });
+  describe_beyond(soup, view, points, beyond);
+  const auto is_complete = [&](int v) { return ring[v] <= around.rings; };
+  const auto is_wanted = [&](const Triangle& t) { return std::any_of(t.begin(), t.end(), is_complete); };
+  std::fill(points.begin(), points.end(), 0);
+  for (const Triangle& t : view.all(soup))
+    if (is_wanted(t))
+      for (int v : t) points[v] = 1;
+  const std::vector<int> view_of = add_surface(soup, view, points, is_wanted, model);
+  beyond.rings = around.rings;
+  beyond.is_cut_off.resize(model.mesh.n_vertices());
+  beyond.piece_of_vertex.resize(model.mesh.n_vertices());
+  for (std::size_t v = 0; v < view_of.size(); ++v) {
+    if (view_of[v] < 0) continue;
+    beyond.is_cut_off[view_of[v]] = !is_complete(static_cast<int>(v));
+    beyond.piece_of_vertex[view_of[v]] = beyond.piece_of_point[v];
+  }
+  model.beyond = std::move(beyond);
+  model.soup = std::move(soup);
+  return model;
+}
+
 }  // namespace
 
 SurfaceModel make_surface_model(TriangleSoup soup, std::optional<VertexSurvey> survey) {
@@ -174,34 +207,15 @@ SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around
   if (!survey) check_indices(soup);
   SurfaceModel model;
   FlatView view = flat_view(soup, std::move(survey), model.repairs);
-  model.turned_faces = std::move(view.turned_faces);
-  std::vector<char> points;
-  std::vector<unsigned char> ring;
-  SurfaceBeyond beyond;
-  parallel_invoke([&] { beyond.piece_of_point = components(view.all(soup), view.origin.size()); },
-                  [&] {
-                    points = used_points(soup, view, model.repairs);
-                    ring = rings_around(soup, view, around);
-                  });
-  describe_beyond(soup, view, points, beyond);
-  const auto is_complete = [&](int v) { return ring[v] <= around.rings; };
-  const auto is_wanted = [&](const Triangle& t) { return std::any_of(t.begin(), t.end(), is_complete); };
-  std::fill(points.begin(), points.end(), 0);
-  for (const Triangle& t : view.all(soup))
-    if (is_wanted(t))
-      for (int v : t) points[v] = 1;
-  const std::vector<int> view_of = add_surface(soup, view, points, is_wanted, model);
-  beyond.rings = around.rings;
-  beyond.is_cut_off.resize(model.mesh.n_vertices());
-  beyond.piece_of_vertex.resize(model.mesh.n_vertices());
-  for (std::size_t v = 0; v < view_of.size(); ++v) {
-    if (view_of[v] < 0) continue;
-    beyond.is_cut_off[view_of[v]] = !is_complete(static_cast<int>(v));
-    beyond.piece_of_vertex[view_of[v]] = beyond.piece_of_point[v];
-  }
-  model.beyond = std::move(beyond);
-  model.soup = std::move(soup);
-  return model;
+  return view_around(std::move(soup), std::move(view), around, std::move(model));
+}
+
+SurfaceModel with_view_around(SurfaceModel model, const AroundLoops& around) {
+  if (!model.beyond || !model.beyond->flat) return make_view_around_loops(as_read(std::move(model)), around);
+  const std::shared_ptr<const FlatView> flat = std::move(model.beyond->flat);
+  SurfaceModel other;
+  other.repairs = model.repairs;
+  return view_around(std::move(model.soup), *flat, around, std::move(other));
 }
 
 TriangleSoup as_read(SurfaceModel model) {

@@ -27,6 +27,8 @@ struct ModelRepairs {
   std::size_t unreferenced_vertices = 0;  ///< points that no face uses: kept in the file
 };
 
+struct FlatView;  // mesh/flat_view.h
+
 /// What is known of the surface beyond a view that holds only what lies around its boundary loops.
 struct SurfaceBeyond {
   int rings = 0;                 ///< as asked for (AroundLoops)
@@ -36,6 +38,7 @@ struct SurfaceBeyond {
   std::vector<int> piece_of_point;   ///< #soup points, then #copy_of: number of the piece of surface; −1: on none
   std::vector<int> piece_of_vertex;  ///< #V'
   std::vector<Eigen::AlignedBox3d> boxes;  ///< of the pieces
+  std::shared_ptr<const FlatView> flat;    ///< what the view was made of, where that was cut or turned
 };
 
 /// `soup` is what is written back: its points and the order of its triangles never change; filling only appends.
@@ -70,6 +73,9 @@ struct AroundLoops {
 /// (with the neighborhood that pipeline/filling_view.h asks for). What walks over the whole view needs the whole view.
 SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around,
                                     std::optional<VertexSurvey> survey = std::nullopt);
+
+/// The same view of another extent. @param model  whose view is around loops
+SurfaceModel with_view_around(SurfaceModel model, const AroundLoops& around);
 
 /// The soup before any triangle was turned round.
 TriangleSoup as_read(SurfaceModel model);

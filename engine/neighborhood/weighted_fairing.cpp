@@ -3,7 +3,6 @@
 
 #include "core/quantile.h"
 #include "filling/fairing.h"
-#include "neighborhood/boundary_fits.h"
 #include "operators/curvature_energy.h"
 #include "operators/operator_set.h"
 #include "operators/topology.h"
@@ -53,9 +52,8 @@ bool has_data(const Patch& patch, int i) { return patch.ring[i] >= 1 && patch.ri
 
 }  // namespace
 
-Eigen::VectorXd data_confidence(const Patch& patch, double radius) {
+Eigen::VectorXd data_confidence(const Patch& patch, double radius, const std::vector<std::vector<BoundaryFit>>& fits) {
   Eigen::VectorXd all = Eigen::VectorXd::Ones(patch.vertex_count());
-  const std::vector<std::vector<BoundaryFit>> fits = boundary_fits(patch, FixedSurface(patch));
   for (std::size_t l = 0; l < fits.size(); ++l)
     for (std::size_t k = 0; k < fits[l].size(); ++k) {
       const double doubt = fits[l][k].H_sigma * radius / known_well_enough;
@@ -73,6 +71,10 @@ Eigen::VectorXd data_confidence(const Patch& patch, double radius) {
     if (count > 0) all[i] = sum / count;
   }
   return all.tail(patch.vertex_count() - patch.free_count);
+}
+
+Eigen::VectorXd data_confidence(const Patch& patch, double radius) {
+  return data_confidence(patch, radius, boundary_fits(patch, FixedSurface(patch)));
 }
 
 Eigen::VectorXd confidence_weights(const Patch& patch, double radius, const Eigen::VectorXd& data) {

@@ -4,8 +4,11 @@
 
 #include "core/cancel.h"
 #include "mesh/patch.h"
+#include "neighborhood/boundary_fits.h"
 
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace loopmend {
 
@@ -19,6 +22,8 @@ enum class SeamContinuity {
 /// How well the neighborhood knows its own curvature, 0..1, one value for each fixed vertex, in their order: 1 everywhere
 /// but on ring 1, where it is 1 / (1 + (σ_H R / 2)²) with σ_H of the vertex's BoundaryFit, and on ring 2, which takes the mean of
 /// its neighbours of ring 1: a curvature that is known no better than to that of a ball as wide as the hole counts half.
+/// @param fits  boundary_fits() of the patch
+Eigen::VectorXd data_confidence(const Patch& patch, double radius, const std::vector<std::vector<BoundaryFit>>& fits);
 Eigen::VectorXd data_confidence(const Patch& patch, double radius);
 
 /// Confidence in each vertex, 0..1, #V: 1 everywhere but on rings 1 and 2, where it is the lesser of the vertex's `data` and

@@ -27,133 +27,161 @@ constexpr int vertices_at_a_time = 16;
 
 /// Of the height fields: xᵃ yᵇ with these powers.
 constexpr int terms = 10, x_power[] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0}, y_power[] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
-using Vector10 = Eigen::Matrix<double, terms, 1>;
-using Pair = Eigen::Array2d;  ///< of two samples: the processor's vectors hold as many everywhere
+constexpr int lanes =
+    2;  ///< vertices at which fits are made side by side: the processor's vectors hold as many everywhere
+using Lanes = Eigen::Array2d;
+using Way = std::array<Lanes, 3>;
 
 struct Fit {
   double H = 0, bent = 0, height = 0;  ///< bent: ‖A‖²; height: of the field over the vertex
   Vec3 normal = Vec3::Zero();
 };
 
-/// All that one fit is made of. Lengths are in units of its width.
-class Fitter {
- public:
-  /// @returns false where the vertex has no normal or no neighbor, or a position is not finite.
-  bool fit(int i, const Points& points, const Points& normals, const std::vector<int>& neighbors) {
-    center_ = i;
-    normal_ = normals[i];
-    if (normal_.isZero()) return false;
-    choose_samples(points, neighbors);
-    if (!(width_ > 0)) return false;
-    weigh(normals);
-    take_steps(points);
-    for (int pass = 0; pass < passes; ++pass) {
-      if (!solve()) return false;
-      if (pass + 1 < passes && std::hypot(c_[1], c_[2]) < steepest)
-        normal_ = (normal_ - c_[1] * u_ - c_[2] * v_).normalized();
-    }
-    return true;
-  }
-
-  Fit result() const {
-    const Slopes f = slopes();
-    return {f.H(), f.xx * f.xx + 2 * f.xy * f.xy + f.yy * f.yy, c_[0] * width_, normal_};
-  }
-
- private:
+/// All that the fit at one vertex is made of. Lengths are in units of its width.
+struct Place {
   struct Sample {
     double distance2 = 0;
     int vertex = 0;
   };
-  struct Slopes {
-    double x, y, xx, xy, yy;
-    double metric() const { return 1 + x * x + y * y; }
-    double H() const {
-      const double g = metric();
-      return ((1 + y * y) * xx - 2 * x * y * xy + (1 + x * x) * yy) / (2 * g * std::sqrt(g));
-    }
-  };
-  Slopes slopes() const { return {c_[1], c_[2], 2 * c_[3] / width_, c_[4] / width_, 2 * c_[5] / width_}; }
-  void choose_samples(const Points& points, const std::vector<int>& neighbors);
-  void weigh(const Points& normals);
-  void take_steps(const Points& points);
-  bool solve();
 
-  int center_ = 0;
-  double width_ = 0;
-  Vec3 normal_, u_, v_;
-  Vector10 c_;
-  SmallCholesky<terms> normal_matrix_;
-  std::vector<Sample> samples_;
-  std::vector<double> weight_;            ///< an even number: one sample too many counts nothing
-  std::vector<std::array<Pair, 3>> way_;  ///< from the center to the samples, in units of the width
+  int center = 0;
+  bool is_fitted = false;
+  double width = 0;
+  Vec3 normal, u, v;
+  std::vector<Sample> samples;
+
+  /// @returns false where the vertex has no normal or no neighbor.
+  bool begin(int i, const Points& points, const Points& normals, const std::vector<int>& neighbors) {
+    center = i;
+    normal = normals[i];
+    if (normal.isZero()) return false;
+    choose_samples(points, neighbors);
+    return width > 0;
+  }
+  void choose_samples(const Points& points, const std::vector<int>& neighbors);
+  double weight(std::size_t k, const Points& normals) const {
+    const double turn = std::acos(std::clamp(normals[samples[k].vertex].dot(normals[center]), -1.0, 1.0)) / crease;
+    return std::exp(-3 * samples[k].distance2 / (width * width) - turn * turn * turn * turn);
+  }
+  /// @param c  of the height field
+  Fit result(const std::array<double, 6>& c) const {
+    const double x = c[1], y = c[2], xx = 2 * c[3] / width, xy = c[4] / width, yy = 2 * c[5] / width;
+    const double g = 1 + x * x + y * y;
+    const double H = ((1 + y * y) * xx - 2 * x * y * xy + (1 + x * x) * yy) / (2 * g * std::sqrt(g));
+    return {H, xx * xx + 2 * xy * xy + yy * yy, c[0] * width, normal};
+  }
 };
 
-void Fitter::choose_samples(const Points& points, const std::vector<int>& neighbors) {
-  samples_.clear();
-  for (int j : neighbors) samples_.push_back({(points[j] - points[center_]).squaredNorm(), j});
-  if (samples_.size() > most_samples) {
-    std::nth_element(samples_.begin(), samples_.begin() + (most_samples - 1), samples_.end(),
+void Place::choose_samples(const Points& points, const std::vector<int>& neighbors) {
+  samples.clear();
+  for (int j : neighbors) samples.push_back({(points[j] - points[center]).squaredNorm(), j});
+  if (samples.size() > most_samples) {
+    std::nth_element(samples.begin(), samples.begin() + (most_samples - 1), samples.end(),
                      [](const Sample& a, const Sample& b) {
                        return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.vertex < b.vertex);
                      });
-    samples_.resize(most_samples);
-    std::sort(samples_.begin(), samples_.end(), [](const Sample& a, const Sample& b) { return a.vertex < b.vertex; });
+    samples.resize(most_samples);
+    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.vertex < b.vertex; });
   }
   double widest2 = 0;
-  for (const Sample& s : samples_) widest2 = std::max(widest2, s.distance2);
-  width_ = std::sqrt(widest2);
+  for (const Sample& s : samples) widest2 = std::max(widest2, s.distance2);
+  width = std::sqrt(widest2);
 }
 
-void Fitter::weigh(const Points& normals) {
-  weight_.assign((samples_.size() + 1) / 2 * 2, 0);
-  const double widest2 = width_ * width_;
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const double turn = std::acos(std::clamp(normals[samples_[k].vertex].dot(normals[center_]), -1.0, 1.0)) / crease;
-    weight_[k] = std::exp(-3 * samples_[k].distance2 / widest2 - turn * turn * turn * turn);
+/// The fits at two vertices side by side.
+class Fitter {
+ public:
+  /// At vertex i and the next one, where there is one. A fit stays as it is where the vertex has no normal or no neighbor, or a
+  /// position is not finite.
+  void fit(int i, const Points& points, const Points& normals, const FitNeighbors& neighbors, std::vector<Fit>& fits) {
+    const int count = std::min(lanes, static_cast<int>(points.size()) - i);
+    std::size_t most = 0;
+    for (int l = 0; l < lanes; ++l) {
+      places_[l].is_fitted = l < count && places_[l].begin(i + l, points, normals, neighbors[i + l]);
+      if (places_[l].is_fitted) most = std::max(most, places_[l].samples.size());
+    }
+    weight_.assign(most, Lanes::Zero());
+    way_.assign(most, {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()});
+    for (int l = 0; l < lanes; ++l)
+      if (places_[l].is_fitted) take_samples(l, points, normals);
+    for (int pass = 0; pass < passes; ++pass) {
+      solve();
+      if (pass + 1 < passes) turn();
+    }
+    for (int l = 0; l < count; ++l)
+      if (places_[l].is_fitted)
+        fits[i + l] = places_[l].result({c_[0][l], c_[1][l], c_[2][l], c_[3][l], c_[4][l], c_[5][l]});
   }
-}
 
-void Fitter::take_steps(const Points& points) {
-  const Pair none = Pair::Zero();
-  way_.assign((samples_.size() + 1) / 2, {none, none, none});
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const Vec3 way = (points[samples_[k].vertex] - points[center_]) / width_;
-    for (int c = 0; c < 3; ++c) way_[k / 2][c][k % 2] = way[c];
+ private:
+  /// Samples that a vertex has fewer than the other count nothing.
+  void take_samples(int lane, const Points& points, const Points& normals) {
+    const Place& place = places_[lane];
+    for (std::size_t k = 0; k < place.samples.size(); ++k) {
+      weight_[k][lane] = place.weight(k, normals);
+      const Vec3 way = (points[place.samples[k].vertex] - points[place.center]) / place.width;
+      for (int c = 0; c < 3; ++c) way_[k][c][lane] = way[c];
+    }
   }
-}
 
-/// A c = Σ ω z p for the terms p.
-bool Fitter::solve() {
-  u_ = normal_.unitOrthogonal();
-  v_ = normal_.cross(u_);
-  const Pair zero = Pair::Zero();
-  Moments<0, 6, Pair> moments(zero);
-  Moments<0, 3, Pair> right(zero);
-  for (std::size_t k = 0; k < way_.size(); ++k) {
-    const auto along = [&](const Vec3& axis) -> Pair {
-      return way_[k][0] * axis[0] + way_[k][1] * axis[1] + way_[k][2] * axis[2];
-    };
-    const Pair x = along(u_), y = along(v_), weight = Eigen::Map<const Pair>(&weight_[2 * k]);
-    moments.add(weight, x, y);
-    right.add(weight * along(normal_), x, y);
+  /// To the tangent planes of the fits.
+  void turn() {
+    for (int l = 0; l < lanes; ++l)
+      if (Place& p = places_[l]; p.is_fitted && std::hypot(c_[1][l], c_[2][l]) < steepest)
+        p.normal = (p.normal - c_[1][l] * p.u - c_[2][l] * p.v).normalized();
   }
-  double A[terms][terms];
+
+  void solve();
+
+  std::array<Place, lanes> places_;
+  std::array<Lanes, terms> c_;
+  SmallCholesky<terms, Lanes> normal_matrix_;
+  std::vector<Lanes> weight_;
+  std::vector<Way> way_;  ///< from the center to the samples, in units of the width
+};
+
+/// A c = Σ ω z p for the terms p. Samples at even and at odd places are summed up apart.
+void Fitter::solve() {
+  const Lanes zero = Lanes::Zero();
+  Way u{zero, zero, zero}, v = u, up = u;
+  for (int l = 0; l < lanes; ++l) {
+    Place& place = places_[l];
+    if (!place.is_fitted) continue;
+    place.u = place.normal.unitOrthogonal();
+    place.v = place.normal.cross(place.u);
+    for (int c = 0; c < 3; ++c) {
+      u[c][l] = place.u[c];
+      v[c][l] = place.v[c];
+      up[c][l] = place.normal[c];
+    }
+  }
+  const auto along = [](const Way& way, const Way& axis) -> Lanes {
+    return way[0] * axis[0] + way[1] * axis[1] + way[2] * axis[2];
+  };
+  Moments<0, 6, Lanes> moments(zero), odd_moments(zero);
+  Moments<0, 3, Lanes> right(zero), odd_right(zero);
+  const auto sum_up = [&](std::size_t first, Moments<0, 6, Lanes>& of_all, Moments<0, 3, Lanes>& of_heights) {
+    for (std::size_t k = first; k < way_.size(); k += 2) {
+      const Lanes x = along(way_[k], u), y = along(way_[k], v);
+      of_all.add(weight_[k], x, y);
+      of_heights.add(weight_[k] * along(way_[k], up), x, y);
+    }
+  };
+  sum_up(0, moments, right);
+  sum_up(1, odd_moments, odd_right);
+  moments.add(odd_moments);
+  right.add(odd_right);
+  Lanes A[terms][terms];
+#pragma GCC unroll 10
   for (int i = 0; i < terms; ++i) {
-    for (int j = 0; j <= i; ++j) A[i][j] = moments(x_power[i] + x_power[j], y_power[i] + y_power[j]).sum();
+#pragma GCC unroll 10
+    for (int j = 0; j <= i; ++j) A[i][j] = moments(x_power[i] + x_power[j], y_power[i] + y_power[j]);
     A[i][i] += ridge;
-    c_[i] = right(x_power[i], y_power[i]).sum();
+    c_[i] = right(x_power[i], y_power[i]);
   }
-  if (!normal_matrix_.factorize(A)) return false;
-  normal_matrix_.solve(c_.data());
-  return true;
-}
-
-Fit fit_at(int i, const Points& points, const Points& normals, const std::vector<int>& neighbors, Fitter& fitter) {
-  if (fitter.fit(i, points, normals, neighbors)) return fitter.result();
-  Fit fit;
-  fit.normal = normals[i];
-  return fit;
+  const bool any = normal_matrix_.factorize(A);
+  for (int l = 0; l < lanes; ++l) places_[l].is_fitted = places_[l].is_fitted && any && normal_matrix_.is_factored(l);
+  if (any) normal_matrix_.solve(c_.data());
 }
 
 }  // namespace
@@ -174,9 +202,10 @@ HybridCurvature hybrid_curvature(const Points& points, const Points& normals, co
                                  const SparseMatrix& stiffness, const Eigen::VectorXd& mass) {
   const int n = static_cast<int>(points.size());
   std::vector<Fit> fits(n);
+  for (int i = 0; i < n; ++i) fits[i].normal = normals[i];
   parallel_for(
-      0, n, vertices_at_a_time, [] { return Fitter(); },
-      [&](int i, Fitter& fitter) { fits[i] = fit_at(i, points, normals, neighbors[i], fitter); });
+      0, (n + lanes - 1) / lanes, vertices_at_a_time / lanes, [] { return Fitter(); },
+      [&](int k, Fitter& fitter) { fitter.fit(lanes * k, points, normals, neighbors, fits); });
   HybridCurvature result;
   result.B = stiffness;
   double bent = 0;

@@ -133,14 +133,16 @@ bool solve(std::span<const Vec3> points, int centre, const FitOptions& options, 
     if (!(trace(N) * trace(inverse) * least_condition * least_condition <= 1)) return false;
     for (int i = 0; i < terms; ++i)
       for (int j = 0; j < terms; ++j) rows(i, j) = inverse[std::max(i, j)][std::min(i, j)] / unit[i];
-    Eigen::Matrix<double, 3, terms> right = Eigen::Matrix<double, 3, terms>::Zero();
+    Eigen::Matrix<double, terms, 3> right = Eigen::Matrix<double, terms, 3>::Zero();  // its columns fill vectors
     for (std::size_t k = 0; k < count; ++k) {
       const typename P::Row row = scratch.weight[k] * P::monomials(scratch.flat[k]);
-      right.noalias() += (points[fit.samples[k]] - points[centre]) * row.transpose();
+      const Vec3 way = points[fit.samples[k]] - points[centre];
+      for (int c = 0; c < 3; ++c) right.col(c) += way[c] * row;
       if (options.output == FitOutput::operator_weights)
         scratch.differences[k].noalias() = rows.template middleRows<5>(1 - first) * row;
     }
-    r.noalias() = right * rows.transpose();
+    const Eigen::Matrix<double, 3, terms> transposed = right.transpose();
+    r.noalias() = transposed * rows.transpose();
     if (round == reweightings && options.output != FitOutput::uncertainty) break;
     const Eigen::Matrix<double, 3, terms> in_units = r * unit.asDiagonal();
     scratch.residual.resize(count);

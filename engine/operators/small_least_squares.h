@@ -3,6 +3,8 @@
 // loops are unrolled, since Eigen's decompositions take several times as long at ten unknowns. For the .cpp files of this folder.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cmath>
 
@@ -31,30 +33,48 @@ class Moments {
       for (int l = 0; l <= d; ++l) sum_[d][l] += power[l];
     }
   }
+  void add(const Moments& other) {
+#pragma GCC unroll 8
+    for (int d = least; d <= most; ++d)
+#pragma GCC unroll 8
+      for (int l = 0; l <= d; ++l) sum_[d][l] += other.sum_[d][l];
+  }
   const Number& operator()(int a, int b) const { return sum_[a + b][b]; }
 
  private:
   std::array<std::array<Number, most + 1>, most + 1> sum_;  ///< at [a + b][b]
 };
 
-/// Of a symmetric positive definite matrix, of which the lower triangle is read.
-template <int size>
+inline double inverse_root(double x) { return 1 / std::sqrt(x); }
+inline bool may_go_on(double pivot) { return pivot > 0; }
+template <int count>
+Eigen::Array<double, count, 1> inverse_root(const Eigen::Array<double, count, 1>& x) {
+  return 1 / x.sqrt();
+}
+template <int count>
+bool may_go_on(const Eigen::Array<double, count, 1>& pivots) {
+  return (pivots > 0).any();
+}
+
+/// Of a symmetric positive definite matrix, of which the lower triangle is read. A number may stand for those of several matrices side
+/// by side.
+template <int size, class Number = double>
 class SmallCholesky {
  public:
-  using Matrix = double[size][size];
+  using Matrix = Number[size][size];
 
-  /// @returns false if the matrix is not positive definite.
+  /// @returns false if the matrix is not positive definite; of several, if none may be.
   bool factorize(const Matrix& N) {
 #pragma GCC unroll 10
     for (int j = 0; j < size; ++j) {
-      double pivot = N[j][j];
+      Number pivot = N[j][j];
 #pragma GCC unroll 10
       for (int k = 0; k < j; ++k) pivot -= L_[j][k] * L_[j][k];
-      if (!(pivot > 0)) return false;
-      inverse_[j] = 1 / std::sqrt(pivot);
+      if (!may_go_on(pivot)) return false;
+      inverse_[j] = inverse_root(pivot);
 #pragma GCC unroll 10
       for (int i = j + 1; i < size; ++i) {
-        double sum = N[i][j];
+        Number sum = N[i][j];
 #pragma GCC unroll 10
         for (int k = 0; k < j; ++k) sum -= L_[i][k] * L_[j][k];
         L_[i][j] = sum * inverse_[j];
@@ -63,8 +83,15 @@ class SmallCholesky {
     return true;
   }
 
+  /// Whether this one of several matrices is positive definite.
+  bool is_factored(int which) const {
+    for (const Number& inverse : inverse_)
+      if (!(inverse[which] > 0 && std::isfinite(inverse[which]))) return false;
+    return true;
+  }
+
   /// @param x  the right-hand side, then the solution; `size`
-  void solve(double* x) const {
+  void solve(Number* x) const {
 #pragma GCC unroll 10
     for (int i = 0; i < size; ++i) {
 #pragma GCC unroll 10
@@ -87,7 +114,7 @@ class SmallCholesky {
       L[j][j] = inverse_[j];
 #pragma GCC unroll 10
       for (int i = j + 1; i < size; ++i) {
-        double sum = 0;
+        Number sum = 0;
 #pragma GCC unroll 10
         for (int k = j; k < i; ++k) sum -= L_[i][k] * L[k][j];
         L[i][j] = sum * inverse_[i];
@@ -105,7 +132,7 @@ class SmallCholesky {
 
  private:
   Matrix L_;              ///< below the diagonal
-  double inverse_[size];  ///< of the diagonal
+  Number inverse_[size];  ///< of the diagonal
 };
 
 }  // namespace loopmend

@@ -308,6 +308,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
       const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {
         situation.split = without;
+        situation.options.fits.reset();  // they are of the neighborhood as it is
         situation.clean_neighborhood = std::move(clean_neighborhood);
         situation.context.clean_neighborhood = &*situation.clean_neighborhood;
       }

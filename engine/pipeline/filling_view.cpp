@@ -60,8 +60,7 @@ bool widen_filling_view(SurfaceModel& model, const std::vector<BoundaryLoop>& al
   if (!model.beyond) return false;
   const std::vector<Eigen::AlignedBox3d> boxes = boxes_to_hold(model, with_islands(model, all, loops));
   if (boxes.empty()) return false;
-  TriangleSoup soup = as_read(std::move(model));
-  model = make_view_around_loops(std::move(soup), {rings, boxes});
+  model = with_view_around(std::move(model), {rings, boxes});
   return true;
 }
 

@@ -286,6 +286,7 @@ class GroupSolver {
     if (options_.evolution) {
       EvolutionOptions evolution = *options_.evolution;
       evolution.split = survey.split;
+      evolution.fits = std::make_shared<const std::vector<std::vector<BoundaryFit>>>(survey.loops);
       result = solve_patch(problem, evolution, observer_.on_step, cancel_);
       if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
           is_filled(result.status) && result.method != Method::mirror_image)

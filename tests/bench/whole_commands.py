@@ -1,22 +1,83 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Processor time of whole `loopmend fill` commands, by stage, beside MeshLib's fillHoleNicely on the same holes.
+"""Processor time of whole `loopmend fill` commands beside MeshLib's fillHoleNicely on the same holes, and where it goes.
 
 Writes a table to the standard output. Both run in turn, --runs times; medians. MeshLib's time is that of loading, filling and
-saving, without Python's own start. The stages are the report's `seconds` (wall time), summed over all patches, of one more
-run with one thread. Needs PyPI's meshlib, which is used for measuring only.
+saving, without Python's own start. With --stages a second table follows: the share of each stage in the instructions of one more
+run with one thread, counted by valgrind --tool=callgrind, so that it does not depend on the load. The program must have its
+symbols, and a second of processor time takes about a minute. Needs PyPI's meshlib, which is used for measuring only.
 """
 import argparse
+import collections
 import json
 import os
 import pathlib
+import re
 import resource
 import statistics
 import subprocess
 import sys
 import tempfile
 
-STAGES = ("initial_patch", "survey", "choice", "assemble", "solve", "checks", "rejected", "expected_deviation", "other")
+# What counts for each stage: calls of functions by these names, and of one by another where it is to be taken off. No two of these
+# lie within each other. What is left over is "other": the choice of loops and candidates, pasting, the start of the program.
+STAGES = {
+    "reading": ["read_mesh"],
+    "view": ["flat_view", "view_around"],
+    "initial patches": ["make_initial_patch", "fill_loop_uncut"],
+    "relief estimate": ["estimate_split"],
+    "boundary fits": ["boundary_fits"],
+    "outliers": ["remove_outliers"],
+    "sharp edges": ["continue_sharp_edges"],
+    "fairing": ["RobustFairing::step"],
+    "split": ["SplitDescent::step", "-SplitDescent::fair"],
+    "flow": ["Multilevel::step"],
+    "checks": ["validate", "seam_reports", "Judge::operator()"],
+    "error bar": ["expected_deviation"],
+    "writing": ["write_scan"],
+}
+
+
+def profile(path):
+    """Instructions in all, and of each function of a callgrind file with what it calls."""
+    names, inclusive, total = {}, collections.Counter(), 0
+
+    def name_of(text):
+        number, _, name = text.partition(" ")
+        if name:
+            names[number] = re.sub(r"^loopmend::|\(anonymous namespace\)::", "", name)
+        return re.sub(r"\((?!\)).*", "", names[number])
+
+    callee = None
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            if line.startswith("fn="):
+                name_of(line[3:].strip())
+            elif line.startswith("cfn="):
+                called = name_of(line[4:].strip())
+            elif line.startswith("calls="):
+                callee = called
+            elif line[0] in "0123456789+-*" and len(line.split()) > 1:
+                count = int(line.split()[1])
+                if callee is None:
+                    total += count
+                else:
+                    inclusive[callee] += count
+                callee = None
+    return total, inclusive
+
+
+def stage_row(program, scan, options):
+    with tempfile.TemporaryDirectory() as folder:
+        counts, filled = os.path.join(folder, "counts"), os.path.join(folder, "filled.ply")
+        subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={counts}", program, "fill", str(scan), "-o", filled,
+                        "--quiet", "--threads", "1", *options], capture_output=True, check=False)
+        total, inclusive = profile(counts)
+    shares = []
+    for functions in STAGES.values():
+        signed = ((-1, f[1:]) if f.startswith("-") else (1, f) for f in functions)
+        shares.append(100 * sum(sign * inclusive[function] for sign, function in signed) / total)
+    return [scan.name, f"{total / 1e9:.2f}", *(f"{share:.0f}" for share in [*shares, 100 - sum(shares)])]
 
 
 def peer(source, target, report):
@@ -67,12 +128,9 @@ def row(program, scan, runs, options):
             if run.returncode == 0:
                 answer = run.stdout.split()
                 theirs.append(float(answer[0]))
-        # Loops of one patch have the same seconds.
-        patches = {tuple(loop["seconds"].get(stage, 0) for stage in STAGES) for loop in loops if loop.get("seconds")}
-        stages = [sum(column) for column in zip(*patches)] or [0] * len(STAGES)
         filled_loops = [loop for loop in loops if loop["free_vertices"] > 0]
         cells = [scan.name, len(filled_loops), sum(loop["free_vertices"] for loop in filled_loops),
-                 f"{statistics.median(ours):.2f}", *(f"{seconds:.2f}" for seconds in stages)]
+                 f"{statistics.median(ours):.2f}"]
         if theirs:
             other = statistics.median(theirs)
             cells += [answer[1], answer[2], f"{other:.2f}", f"{statistics.median(ours) / other:.1f}"]
@@ -81,19 +139,27 @@ def row(program, scan, runs, options):
         return cells
 
 
+def table(heads, rows):
+    print("|", " | ".join(heads), "|")
+    print("| ---", "| ---:" * (len(heads) - 1), "|")
+    for cells in rows:
+        print("|", " | ".join(map(str, cells)), "|", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="loopmend")
     parser.add_argument("scans", nargs="+", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--stages", action="store_true", help="the second table")
     parser.add_argument("--options", default="", help="of loopmend fill, in one string")
     options = parser.parse_args()
-    heads = ["scan", "holes", "new vertices", "Loopmend, s", *(stage.replace("_", " ") for stage in STAGES),
-             "MeshLib's holes", "its new vertices", "MeshLib, s", "ratio"]
-    print("|", " | ".join(heads), "|")
-    print("| ---", "| ---:" * (len(heads) - 1), "|")
-    for scan in options.scans:
-        print("|", " | ".join(map(str, row(options.program, scan, options.runs, options.options.split()))), "|", flush=True)
+    table(["scan", "holes", "new vertices", "Loopmend, s", "MeshLib's holes", "its new vertices", "MeshLib, s", "ratio"],
+          (row(options.program, scan, options.runs, options.options.split()) for scan in options.scans))
+    if options.stages:
+        print()
+        table(["scan", "10⁹ instructions", *(f"{stage}, %" for stage in STAGES), "other, %"],
+              (stage_row(options.program, scan, options.options.split()) for scan in options.scans))
 
 
 if __name__ == "__main__":
