@@ -136,7 +136,7 @@ def test_polydata_of_vtk_itself(cut):
     mesh.ShallowCopy(polydata(pyvista, cut))
     result = loopmend.fill(mesh)
     check_filled(result, cut)
-    assert type(result.mesh) is vtkPolyData
+    assert isinstance(result.mesh, vtkPolyData)
     filled = pyvista.wrap(result.mesh)
     assert filled.n_open_edges == 0 and result.mesh.GetCellData().GetScalars().GetName() == "label" and filled.field_data["unit"][0] == "mm"
     check_numbers(filled.point_data["height"], cut, result)
