@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from loopmend import _core
-from loopmend._meshes import given
+from loopmend._meshes import given, surface
 from loopmend._meshes import read as _read
 from loopmend._progress import shown
 from loopmend._types import Boundary, Continuity, Edges, Flow, Islands, Mode, OnProgress, OnStep, Path, Relief, Solver
@@ -226,7 +226,7 @@ def fill(
         "trim_boundary": trim_boundary, "trim_crossing": trim_crossing, "max_time": max_time, "max_memory": max_memory,
         "keep_partial": keep_partial, "patches_only": patches_only, "threads": threads,
     }
-    taken = given(mesh, faces, colors)
+    taken = surface(mesh, faces, colors)
     narrow = taken.colors is not None and np.ndim(taken.colors) == 2 and np.shape(taken.colors)[1] == 3
     with errors_in_python(), shown(progress) as on_progress:
         result = _core.fill(taken.vertices, taken.faces, _rgba(taken.colors), options, on_progress, taken.carried)
@@ -238,7 +238,7 @@ def fill(
 
 
 def _called(function: Any, mesh: Any, faces: Optional[ArrayLike]) -> Any:
-    taken = given(mesh, faces)
+    taken = surface(mesh, faces)
     with errors_in_python():
         return function(taken.vertices, taken.faces)
 
@@ -382,7 +382,7 @@ def blend(
     """
     words = "" if loops is None else ",".join(f"{int(part)}:{int(loop)}" for part, loop in loops)
     options = _flow(flow, boundary, continuity, density, mode, steps, sigma, solver)
-    taken = [given(part) for part in parts]
+    taken = [surface(part) for part in parts]
     with errors_in_python():
         return _patch(_core.blend([(part.vertices, part.faces) for part in taken], words, options, progress))
 
@@ -422,7 +422,7 @@ def interpolate(
     options = _flow(flow, boundary, continuity, 1.0, mode, steps, sigma, solver)
     if fixed is not None and len(fixed) == 0:
         raise _core.InvalidArgument("fixed names no vertex; None means all")
-    taken = given(mesh, faces)
+    taken = surface(mesh, faces)
     with errors_in_python():
         return _patch(_core.interpolate(taken.vertices, taken.faces, _numbers(fixed) or [], subdivide,
                                         "smooth" if open else "refuse", options, progress))
@@ -459,7 +459,7 @@ def evolve(
     """
     if region is None:
         raise TypeError("evolve() needs a region: vertex numbers, or one bool for each vertex")
-    chosen, taken = np.asarray(region), given(mesh, faces)
+    chosen, taken = np.asarray(region), surface(mesh, faces)
     if chosen.dtype == bool:
         if chosen.shape != (len(taken.vertices),):
             raise _core.InvalidArgument(f"region must have one bool for each of the {len(taken.vertices)} vertices, not the shape "

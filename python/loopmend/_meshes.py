@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from loopmend import _core
 from loopmend._types import package
+from loopmend._vtk import arrays_of, made_of, triangles_of
 from loopmend._words import errors_in_python
 from loopmend.results import FillResult, Mesh
 
@@ -110,16 +111,34 @@ def _of_trimesh(mesh: Any) -> Given:
     return Given(np.asarray(mesh.vertices), np.asarray(mesh.faces), vertex_colors, values.carried, back)
 
 
+def _of_scene(scene: Any) -> Given:
+    """Of a scene with one mesh, as files of glTF give it: the mesh in its own coordinates; what comes back is a scene."""
+    meshes = {name: of for name, of in scene.geometry.items() if hasattr(of, "faces")}
+    if len(meshes) != 1:
+        raise TypeError(f"this trimesh.Scene holds {len(meshes)} meshes: hand over scene.to_mesh(), or one of scene.geometry")
+    (name, mesh), = meshes.items()
+    taken = _of_trimesh(mesh)
+    of_mesh = taken.back
+
+    def back(result: FillResult) -> Any:
+        filled = scene.copy()
+        filled.geometry[name] = of_mesh(result) if of_mesh else None
+        return filled
+
+    taken.back = back
+    return taken
+
+
 def _of_pyvista(mesh: Any) -> Given:
-    surface = mesh if mesh.is_all_triangles else mesh.triangulate()
+    pyvista = package("pyvista", "this mesh")
+    surface = pyvista.wrap(triangles_of(mesh))
     faces = np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
+    before = surface.n_verts + surface.n_lines  # their cells come first
     values = Values({name: np.asarray(surface.point_data[name]) for name in surface.point_data.keys()},
-                    {name: np.asarray(surface.cell_data[name]) for name in surface.cell_data.keys()},
+                    {name: np.asarray(surface.cell_data[name])[before:before + len(faces)] for name in surface.cell_data.keys()},
                     surface.n_points, len(faces))
 
     def back(result: FillResult) -> Any:
-        pyvista = package("pyvista", "this mesh")
-
         filled = polydata(pyvista, result)
         at_points, at_faces = values.over(result)
         for name, array in at_points.items():
@@ -129,13 +148,21 @@ def _of_pyvista(mesh: Any) -> Given:
         for name in surface.field_data.keys():
             filled.field_data[name] = surface.field_data[name]
         for old, new in ((surface.point_data, filled.point_data), (surface.cell_data, filled.cell_data)):
-            if old.active_texture_coordinates_name:
-                new.active_texture_coordinates_name = old.active_texture_coordinates_name
+            for role in ("texture_coordinates", "normals", "vectors"):
+                if name := getattr(old, f"active_{role}_name"):
+                    setattr(new, f"active_{role}_name", name)
         if surface.active_scalars_name:
             filled.set_active_scalars(surface.active_scalars_name, preference=surface.active_scalars_info.association)
         return filled
 
     return Given(np.asarray(surface.points), faces, carried=values.carried, back=back)
+
+
+def _of_vtk(mesh: Any) -> Given:
+    surface = triangles_of(mesh)
+    points, faces, of_points, of_faces = arrays_of(surface)
+    values = Values(of_points, of_faces, len(points), len(faces))
+    return Given(points, faces, carried=values.carried, back=lambda result: made_of(result.vertices, result.faces, *values.over(result), surface))
 
 
 def polydata(pyvista: Any, mesh: Any) -> Any:
@@ -150,15 +177,15 @@ def _of_meshio(mesh: Any) -> Given:
         corners = np.asarray(block.data)
         if block.type in ("vertex", "line"):
             continue
-        if block.type not in ("triangle", "quad"):
-            raise _core.InvalidArgument(f"a mesh of meshio must have triangles and quadrangles, not cells of the type {block.type!r}: "
+        if block.type not in ("triangle", "quad", "polygon"):
+            raise _core.InvalidArgument(f"a mesh of meshio must have triangles and polygons, not cells of the type {block.type!r}: "
                                         "take its surface first")
-        for part in ([0, 1, 2], [0, 2, 3])[:corners.shape[1] - 2]:
-            faces.append(corners[:, part])
+        for third in range(2, corners.shape[1]):
+            faces.append(corners[:, [0, third - 1, third]])
             of_block.append(np.full(len(corners), k))
             at.append(np.arange(len(corners)))
     if not faces:
-        raise _core.InvalidArgument("this mesh of meshio has no triangles")
+        return Given(np.asarray(mesh.points), np.zeros((0, 3), np.int64))
     blocks, places = np.concatenate(of_block), np.concatenate(at)
     of_faces = {}
     for name, per_block in mesh.cell_data.items():
@@ -172,7 +199,8 @@ def _of_meshio(mesh: Any) -> Given:
 
         at_points, at_faces = values.over(result)
         return meshio.Mesh(result.vertices, [("triangle", result.faces)], point_data=at_points,
-                           cell_data={name: [array] for name, array in at_faces.items()}, field_data=dict(mesh.field_data))
+                           cell_data={name: [array] for name, array in at_faces.items()}, field_data=dict(mesh.field_data),
+                           point_sets=dict(mesh.point_sets))
 
     return Given(points, triangles, carried=values.carried, back=back)
 
@@ -197,6 +225,8 @@ def _of_open3d(mesh: Any) -> Given:
 
 
 def _of_open3d_tensors(mesh: Any) -> Given:
+    if "positions" not in mesh.vertex or "indices" not in mesh.triangle:
+        return Given(np.zeros((0, 3)), np.zeros((0, 3), np.int64))
     vertices, faces = mesh.vertex["positions"].cpu().numpy(), mesh.triangle["indices"].cpu().numpy()
     values = Values({name: array.cpu().numpy() for name, array in mesh.vertex.items() if name != "positions"},
                     {name: array.cpu().numpy() for name, array in mesh.triangle.items() if name != "indices"},
@@ -218,6 +248,7 @@ def _of_open3d_tensors(mesh: Any) -> Given:
 
 _KINDS: Dict[Tuple[str, str], Callable[[Any], Given]] = {
     ("trimesh", "Trimesh"): _of_trimesh, ("pyvista", "PolyData"): _of_pyvista, ("meshio", "Mesh"): _of_meshio,
+    ("trimesh", "Scene"): _of_scene, ("vtkmodules", "vtkPolyData"): _of_vtk,
 }
 
 
@@ -235,8 +266,8 @@ def _of_other_package(mesh: Any) -> Optional[Given]:
             return take(mesh)
     if take_open3d := _open3d_kind(mesh):
         return take_open3d(mesh)
-    if ("trimesh", "Scene") in names:
-        raise TypeError("a trimesh.Scene may hold several meshes: hand over scene.to_mesh(), or one of scene.geometry")
+    if ("trimesh", "PointCloud") in names or any(base.__module__.startswith("open3d.") and base.__name__ == "PointCloud" for base in type(mesh).__mro__):
+        raise TypeError("a cloud of points has no surface that could have holes: make a surface of it first")
     if any(package == "pyvista" for package, _ in names):
         raise TypeError(f"of PyVista a PolyData is needed, not {type(mesh).__name__}: hand over mesh.extract_surface()")
     return None
@@ -246,6 +277,15 @@ def read(path: Any, weld: bool = False, all_digits: bool = False) -> Mesh:
     """The mesh of a file."""
     with errors_in_python():
         return Mesh(**_core.read(os.fspath(path), weld, all_digits))
+
+
+def surface(mesh: Any, faces: Any = None, colors: Any = None) -> Given:
+    """As given(), but a mesh without faces raises."""
+    taken = given(mesh, faces, colors)
+    if np.size(taken.faces) == 0:
+        raise _core.InvalidArgument("this mesh has no faces, and so no holes. Of a cloud of points, make a surface first." if np.size(taken.vertices)
+                                    else "this mesh is empty: it has no vertices and no faces")
+    return taken
 
 
 def given(mesh: Any, faces: Any = None, colors: Any = None) -> Given:

@@ -75,10 +75,15 @@ def test_a_texture_of_trimesh_stays(cut):
     assert np.array_equal(filled.visual.uv[:len(cut[0])], mesh.visual.uv) and np.isfinite(filled.visual.uv).all()
 
 
-def test_a_scene_of_trimesh_is_refused_with_the_cure(cut):
+def test_a_scene_of_one_mesh_comes_back_as_a_scene(cut):
     trimesh = pytest.importorskip("trimesh")
-    with pytest.raises(TypeError, match="scene.to_mesh"):
-        loopmend.fill(trimesh.Scene([trimesh.Trimesh(cut[0], cut[1])]))
+    scene = trimesh.Scene()
+    scene.add_geometry(trimesh.Trimesh(cut[0], cut[1], process=False), geom_name="ball", transform=np.diag([2.0, 2, 2, 1]))
+    filled = loopmend.fill(scene).mesh
+    assert type(filled) is trimesh.Scene and filled.geometry["ball"].is_watertight
+    assert filled.to_mesh().volume == pytest.approx(8 * filled.geometry["ball"].volume) and not scene.geometry["ball"].is_watertight
+    with pytest.raises(TypeError, match="holds 2 meshes: hand over scene.to_mesh"):
+        loopmend.fill(trimesh.Scene([trimesh.Trimesh(cut[0], cut[1]), trimesh.creation.box()]))
 
 
 def polydata(pyvista, cut):
@@ -102,6 +107,40 @@ def test_pyvista(cut):
     check_labels(filled.cell_data["label"], cut, result)
     shown = result.to_pyvista()
     assert set(shown.cell_data["hole"]) == {0, 1} and shown.point_data["expected_deviation"][len(cut[0]):].max() > 0
+
+
+def test_lines_polygons_and_roles_of_pyvista(cut):
+    """Cells of lines come before those of faces; what is active stays so."""
+    pyvista = pytest.importorskip("pyvista")
+    faces = np.column_stack([np.full(len(cut[1]), 3), cut[1]]).ravel()
+    mesh = pyvista.PolyData(cut[0], faces, lines=np.array([2, 0, 1]))
+    mesh.cell_data["number"] = np.arange(mesh.n_cells, dtype=np.int16)
+    mesh.point_data["normal"] = (cut[0] / 2).astype(np.float32)
+    mesh.point_data.active_normals_name = "normal"
+    filled = loopmend.fill(mesh).mesh
+    assert np.array_equal(filled.cell_data["number"][:len(cut[1])], np.arange(1, mesh.n_cells))
+    assert filled.cell_data["number"].dtype == np.int16 and filled.point_data["normal"].dtype == np.float32
+    assert filled.point_data.active_normals_name == "normal" and np.abs(filled.point_data["normal"] - filled.points / 2).max() < 0.2
+    box = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float)
+    sides = pyvista.PolyData(box, [4, 0, 3, 2, 1, 4, 0, 1, 5, 4, 4, 1, 2, 6, 5, 4, 2, 3, 7, 6, 4, 3, 0, 4, 7], lines=np.array([2, 0, 6]))
+    sides.cell_data["side"] = np.arange(6)
+    closed = loopmend.fill(sides).mesh
+    assert closed.n_open_edges == 0 and list(closed.cell_data["side"][:10]) == [1, 1, 2, 2, 3, 3, 4, 4, 5, 5]
+
+
+def test_polydata_of_vtk_itself(cut):
+    pyvista = pytest.importorskip("pyvista")
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(polydata(pyvista, cut))
+    result = loopmend.fill(mesh)
+    check_filled(result, cut)
+    assert isinstance(result.mesh, vtkPolyData)
+    filled = pyvista.wrap(result.mesh)
+    assert filled.n_open_edges == 0 and result.mesh.GetCellData().GetScalars().GetName() == "label" and filled.field_data["unit"][0] == "mm"
+    check_numbers(filled.point_data["height"], cut, result)
+    check_labels(filled.cell_data["label"], cut, result)
 
 
 def test_pyvista_by_its_accessor(cut):
@@ -139,6 +178,8 @@ def test_quadrangles_of_meshio_become_triangles():
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float)
     open_box = [[0, 3, 2, 1], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
     result = loopmend.fill(meshio.Mesh(corners, [("quad", open_box)], cell_data={"side": [np.arange(5)]}))
+    polygons = loopmend.fill(meshio.Mesh(corners, [("polygon", np.array(open_box[:1])), ("quad", open_box[1:])]))
+    assert np.array_equal(polygons.faces[:2], [[0, 3, 2], [0, 2, 1]]) and loopmend.check(polygons).open_edges == 0
     assert list(result.mesh.cell_data["side"][0][:10]) == [0, 1, 2, 3, 4] * 2 and loopmend.check(result).open_edges == 0
 
 
@@ -167,6 +208,23 @@ def test_no_package_is_imported_that_nobody_uses():
     code = "import loopmend, sys; loopmend.fill(loopmend.sample(), loops=[6]); print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert not {"trimesh", "pyvista", "meshio", "open3d", "pandas", "tqdm", "matplotlib"} & set(loaded)
+
+
+def test_points_without_faces_raise_with_the_cure(cut):
+    nothing = np.zeros((0, 3), int)
+    for call in (loopmend.fill, loopmend.boundary_loops, loopmend.check, loopmend.curvatures):
+        with pytest.raises(loopmend.InvalidArgument, match="no faces, and so no holes"):
+            call(cut[0], nothing)
+        with pytest.raises(loopmend.InvalidArgument, match="empty"):
+            call(np.zeros((0, 3)), nothing)
+
+
+@pytest.mark.parametrize("dtype", ["float16", "float32", ">f4", "longdouble", "int16"])
+def test_arrays_of_any_kind_and_order(cut, dtype):
+    rough = (1000 * cut[0] if dtype == "int16" else cut[0]).astype(dtype)
+    plain = loopmend.fill(rough.astype(np.float64), cut[1])
+    for vertices, faces in ((np.asfortranarray(rough), cut[1].astype(np.uint64)), (np.repeat(rough, 2, 0)[::2], np.asfortranarray(cut[1]))):
+        assert loopmend.fill(vertices, faces).vertices.tobytes() == plain.vertices.tobytes()
 
 
 def test_what_is_no_mesh_raises():

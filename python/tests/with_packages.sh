@@ -22,7 +22,7 @@ unset PYTHONPATH
 cd "$folder"
 bin/mypy --strict --cache-dir=mypy_cache -p loopmend
 PATH="$folder/bin:$PATH" bin/python "$here/run.py" "$here/test_user_page.py" "$here/test_workflows.py" "$here/test_many_scans.py" "$here/test_fill.py" \
-  "$here/test_files_and_curvatures.py" "$here/test_meshes.py" "$here/test_results.py" | tee log
+  "$here/test_files_and_curvatures.py" "$here/test_meshes.py" "$here/test_results.py" "$here/test_vtk_programs.py" | tee log
 if grep -E '^SKIPPED.*(is not installed|could not import)' log; then
   echo "an example was skipped, though its package should be there" >&2
   exit 1
