@@ -30,7 +30,7 @@ constexpr int terms = 10, x_power[] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0}, y_power[] 
 constexpr int lanes =
     2;  ///< vertices at which fits are made side by side: the processor's vectors hold as many everywhere
 using Lanes = Eigen::Array2d;
-using Way = std::array<Lanes, 3>;
+using Offset = std::array<Lanes, 3>;
 
 struct Fit {
   double H = 0, bent = 0, height = 0;  ///< bent: ‖A‖²; height: of the field over the vertex
@@ -101,7 +101,7 @@ class Fitter {
       if (places_[l].is_fitted) most = std::max(most, places_[l].samples.size());
     }
     weight_.assign(most, Lanes::Zero());
-    way_.assign(most, {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()});
+    offset_.assign(most, {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()});
     for (int l = 0; l < lanes; ++l)
       if (places_[l].is_fitted) take_samples(l, points, normals);
     for (int pass = 0; pass < passes; ++pass) {
@@ -119,8 +119,8 @@ class Fitter {
     const Place& place = places_[lane];
     for (std::size_t k = 0; k < place.samples.size(); ++k) {
       weight_[k][lane] = place.weight(k, normals);
-      const Vec3 way = (points[place.samples[k].vertex] - points[place.center]) / place.width;
-      for (int c = 0; c < 3; ++c) way_[k][c][lane] = way[c];
+      const Vec3 offset = (points[place.samples[k].vertex] - points[place.center]) / place.width;
+      for (int c = 0; c < 3; ++c) offset_[k][c][lane] = offset[c];
     }
   }
 
@@ -137,13 +137,13 @@ class Fitter {
   std::array<Lanes, terms> c_;
   SmallCholesky<terms, Lanes> normal_matrix_;
   std::vector<Lanes> weight_;
-  std::vector<Way> way_;  ///< from the center to the samples, in units of the width
+  std::vector<Offset> offset_;  ///< from the center to the samples, in units of the width
 };
 
 /// A c = Σ ω z p for the terms p. Samples at even and at odd places are summed up apart.
 void Fitter::solve() {
   const Lanes zero = Lanes::Zero();
-  Way u{zero, zero, zero}, v = u, up = u;
+  Offset u{zero, zero, zero}, v = u, up = u;
   for (int l = 0; l < lanes; ++l) {
     Place& place = places_[l];
     if (!place.is_fitted) continue;
@@ -155,16 +155,16 @@ void Fitter::solve() {
       up[c][l] = place.normal[c];
     }
   }
-  const auto along = [](const Way& way, const Way& axis) -> Lanes {
-    return way[0] * axis[0] + way[1] * axis[1] + way[2] * axis[2];
+  const auto along = [](const Offset& offset, const Offset& axis) -> Lanes {
+    return offset[0] * axis[0] + offset[1] * axis[1] + offset[2] * axis[2];
   };
   Moments<0, 6, Lanes> moments(zero), odd_moments(zero);
   Moments<0, 3, Lanes> right(zero), odd_right(zero);
   const auto sum_up = [&](std::size_t first, Moments<0, 6, Lanes>& of_all, Moments<0, 3, Lanes>& of_heights) {
-    for (std::size_t k = first; k < way_.size(); k += 2) {
-      const Lanes x = along(way_[k], u), y = along(way_[k], v);
+    for (std::size_t k = first; k < offset_.size(); k += 2) {
+      const Lanes x = along(offset_[k], u), y = along(offset_[k], v);
       of_all.add(weight_[k], x, y);
-      of_heights.add(weight_[k] * along(way_[k], up), x, y);
+      of_heights.add(weight_[k] * along(offset_[k], up), x, y);
     }
   };
   sum_up(0, moments, right);

@@ -323,7 +323,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   result.seconds.choice = choice;
   result.flow = options.flow;
   result.seams_before = judge.initial_seams();
-  if (is_filled(mirrored.status) && !cancel.cancelled() && is_copied(result, mirrored)) {
+  if (is_filled(mirrored.status) && !cancel.cancelled() && is_copied(result, cancel, mirrored)) {
     mirrored.attempts.insert(mirrored.attempts.end(), result.attempts.begin(), result.attempts.end());
     mirrored.seconds.rejected = result.seconds.total + result.seconds.rejected;
     return mirrored;

@@ -21,6 +21,7 @@ constexpr double least_difference_known = 1e-3, least_seam_deg = 0.5;  ///< the 
 /// Of the copy from the ordinary patch, in misfits: where it is less, noise and asymmetry may be all of it (docs/math/mirror_image.md, "The
 /// test").
 constexpr double least_difference = 3;
+constexpr double most_misfit_of_deviation = 0.5;  ///< where it differs less: of what the ordinary patch is likely off
 
 bool is_of_shape(NoticeCode code) {
   return code == NoticeCode::bubble || code == NoticeCode::high_over_loop || code == NoticeCode::dome_over_flat_loop ||
@@ -39,6 +40,14 @@ double difference(const Patch& copy, const Patch& other) {
     squares += own * (tree.closest(middle).place - middle).squaredNorm();
   }
   return std::sqrt(squares / area) / loop_diameter(copy, 0);
+}
+
+/// The bound within which half of all patches of this kind are, in diameters; 0 where it is not known.
+double usual_deviation(const PatchResult& result, const CancelToken& cancel) {
+  if (result.method != Method::flow && result.method != Method::split_flow && result.method != Method::robust_fairing)
+    return 0;
+  const DeviationEstimate deviation = expected_deviation(result.patch, cancel);
+  return deviation.loops.empty() ? 0 : deviation.loops[0].half / (loop_diameter(result.patch, 0) * result.patch.scale);
 }
 
 void drop_findings_on_shape(std::vector<Verdict>& verdicts) {
@@ -78,22 +87,19 @@ PatchResult mirrored_patch(const PatchProblem& problem, const EvolutionOptions& 
   return result;
 }
 
-bool is_copied(const PatchResult& ordinary, PatchResult& copy) {
+bool is_copied(const PatchResult& ordinary, const CancelToken& cancel, PatchResult& copy) {
   MirrorFit& fit = copy.mirror;
   fit.difference = difference(copy.patch, ordinary.patch);
   if (is_filled(ordinary.status) && worst(ordinary.verdicts) != Grade::bad &&
-      !(fit.difference > least_difference * fit.misfit))
+      !(fit.difference > least_difference * fit.misfit) &&
+      !(fit.misfit < most_misfit_of_deviation * usual_deviation(ordinary, cancel)))
     fit.answer = MirrorFit::Answer::no_gain;
   return fit.is_proposed();
 }
 
 void make_symmetric(const PatchProblem& problem, const Judge& judge, const CancelToken& cancel, PatchResult& result) {
-  const bool is_smooth = result.method != Method::initial_patch && result.method != Method::sharp_edges;
-  if (result.mirror.answer != MirrorFit::Answer::across || !is_filled(result.status) || !is_smooth) return;
-  const DeviationEstimate deviation = expected_deviation(result.patch, cancel);
-  if (deviation.loops.empty() ||
-      deviation.loops[0].half < result.mirror.misfit * loop_diameter(result.patch, 0) * result.patch.scale)
-    return;
+  if (result.mirror.answer != MirrorFit::Answer::across || !is_filled(result.status)) return;
+  if (!(result.mirror.misfit < usual_deviation(result, cancel))) return;
   std::optional<Patch> symmetric =
       symmetric_patch(problem.scan.model, problem.scan.index, result.patch, result.mirror.plane, cancel);
   if (!symmetric) return;
