@@ -44,12 +44,15 @@ QString MirrorBox::fits_text() const {
   if (guide_.has_failed()) return tr("The scan could not be compared with its image.");
   if (!guide_.plane()) return tr("No plane of symmetry was found.");
   if (guide_.busy()) return tr("Comparing the holes with the image\u2026");
+  const auto answer = [](const MirrorFit& fit) {
+    if (fit.is_proposed()) return tr("the image fits, %1 diameters off").arg(labels::number(fit.misfit));
+    if (fit.is_used()) return tr("lies across the plane, and its patch would be symmetric");
+    return labels::notice(notice_on(fit));
+  };
   QStringList lines;
   for (const MirrorGuide::Fit& one : guide_.fits())
     lines << tr("%1: %2.").arg(labels::sentence(labels::holes(document_, {one.loop})).remove(QLatin1Char('.')),
-                               one.fit.is_proposed()
-                                   ? tr("the image fits, %1 diameters off").arg(labels::number(one.fit.misfit))
-                                   : labels::notice(notice_on(one.fit)));
+                               answer(one.fit));
   if (!lines.isEmpty()) return lines.join(QLatin1Char('\n'));
   return guide_.is_of_selection() ? tr("No selected hole of this scan is open.") : tr("There is no open hole.");
 }

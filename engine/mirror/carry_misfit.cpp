@@ -53,7 +53,7 @@ double noise_of(const Patch& patch, const MirrorImage& image) {
 
 }  // namespace
 
-bool carry_misfit(const Patch& patch, MirrorImage& image) {
+bool carry_misfit(const Patch& patch, const CancelToken& cancel, MirrorImage& image) {
   const Collar& collar = image.collar;
   const std::vector<std::size_t> sites = chosen_sites(patch, collar);
   const auto count = static_cast<Eigen::Index>(sites.size());
@@ -78,6 +78,7 @@ bool carry_misfit(const Patch& patch, MirrorImage& image) {
   const double noise = noise_of(patch, image);
   Eigen::MatrixXd weights;
   for (double smoothing = least_smoothing; smoothing < most_smoothing; smoothing *= smoothing_step) {
+    if (cancel.cancelled()) return false;
     matrix.diagonal().head(count).setConstant(smoothing);
     const Eigen::MatrixXd smoother = matrix.partialPivLu().solve(right);
     if (!smoother.allFinite()) break;

@@ -94,7 +94,7 @@ Patch with_own_mesh(const Patch& initial, const LoopPatch& own) {
 /// Offers the image, cut and joined to the loop, with wider and wider strips. @returns `proposed` where one was taken.
 MirrorFit::Answer first_taken(const Patch& initial, MirrorImage& image, const Take& take, const CancelToken& cancel) {
   using Answer = MirrorFit::Answer;
-  if (!carry_misfit(initial, image)) return Answer::misfit;
+  if (!carry_misfit(initial, cancel, image)) return Answer::misfit;
   bool offered = false;
   for (const CutImage& cut : cut_image(initial, image, cancel)) {
     if (cut.fault != CutFault::none) {

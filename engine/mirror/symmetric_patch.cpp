@@ -43,7 +43,7 @@ bool lies_across(const Patch& patch, const MirrorPlane& plane) {
 std::optional<Patch> symmetric_patch(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
                                      const MirrorPlane& plane, const CancelToken& cancel) {
   MirrorImage image = mirror_image(model, index, patch, collar_of(patch), plane, MirrorOf::closed_surface, cancel);
-  if (image.triangles.empty() || !carry_misfit(patch, image)) return std::nullopt;
+  if (image.triangles.empty() || !carry_misfit(patch, cancel, image)) return std::nullopt;
   const int first = static_cast<int>(image.points.size()) - patch.vertex_count();
   const Points loop = points_at(patch.positions, patch.loops[0], 0);
   const Points loop_image = points_at(image.points, patch.loops[0], first);
