@@ -189,7 +189,8 @@ class Labelling {
     return labels;
   }
 
-  /// No side touches the loop in a vertex alone, where another one lies inside both loop edges, and none is as narrow as a vertex.
+  /// No side touches the loop in a vertex alone, where another one lies inside both loop edges, and none is as narrow
+  /// as a vertex.
   void open_pinches(std::vector<int>& labels) const {
     open_pinches_at_loop(labels);
     open_narrow_sides(labels);

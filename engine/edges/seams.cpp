@@ -89,8 +89,8 @@ class SeamTracer {
     return result;
   }
 
-  /// The point of the layout for a node: one of the loop's, or where the surfaces of all sides around it meet. At the tip of a pyramid several
-  /// nodes are one point.
+  /// The point of the layout for a node: one of the loop's, or where the surfaces of all sides around it meet. At the
+  /// tip of a pyramid several nodes are one point.
   int node(int v) {
     const auto known = point_of_node_.find(v);
     if (known != point_of_node_.end()) return known->second;

@@ -27,7 +27,8 @@ constexpr double most_rms_ratio = 0.4;
 constexpr double most_misfit = 0.012, most_misfit_anywhere = 0.06;  ///< of the loop from the surfaces, diameters
 constexpr double most_drawn_misfit = 0.05, most_drawn_misfit_anywhere = 0.2;  ///< where a person drew an edge
 constexpr double most_rms_of_lone_side = 0.002;                               ///< diameters, where it is no plane
-/// Diameters. Sides of sharp CAD and constructed models leave 1e-15, those that creases of eleven holes of organic scans seem to part 0.008 and more.
+/// Diameters. Sides of sharp CAD and constructed models leave 1e-15, those that creases of eleven holes of organic
+/// scans seem to part 0.008 and more.
 constexpr double most_rms_of_clear_sides = 0.005;
 constexpr double farthest_seam = 1.2;  ///< from where the labels change, diameters
 /// Diameters of the loop: where an edge fades out farther off, its sides are one beyond that. The first that can be continued counts.

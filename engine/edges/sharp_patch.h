@@ -22,8 +22,8 @@ struct SharpPatch {
 };
 
 struct ContinuedEdges {
-  /// Nothing where no sharp edge runs on: one surface explains the neighborhood as well, the loop is off the surfaces, or the parts
-  /// are no discs.
+  /// Nothing where no sharp edge runs on: one surface explains the neighborhood as well, the loop is off the
+  /// surfaces, or the parts are no discs.
   std::optional<SharpPatch> patch;
   /// Whether two or more sides fit the neighborhood so closely that it has sharp edges beyond doubt.
   bool are_clear = false;

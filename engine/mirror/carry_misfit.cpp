@@ -34,7 +34,8 @@ std::vector<std::size_t> chosen_sites(const Patch& patch, const Collar& collar) 
   return on_loop;
 }
 
-/// The rms of that part of the misfit which is independent at each vertex: half of the mean square of its difference along an edge.
+/// The rms of that part of the misfit which is independent at each vertex: half of the mean square of its difference
+/// along an edge.
 double noise_of(const Patch& patch, const MirrorImage& image) {
   std::vector<int> place(patch.vertex_count(), -1);
   for (std::size_t i = 0; i < image.collar.vertices.size(); ++i) place[image.collar.vertices[i]] = static_cast<int>(i);
@@ -74,7 +75,8 @@ bool carry_misfit(const Patch& patch, const CancelToken& cancel, MirrorImage& im
   }
   // A plane collar leaves the slope across it open.
   matrix.diagonal().tail<3>().array() -= least_smoothing;
-  // As smooth as leaves no more of the misfit behind than noise: what noise would carry to the top of a bump is many times the noise.
+  // As smooth as leaves no more of the misfit behind than noise: what noise would carry to the top of a bump is many
+  // times the noise.
   const double noise = noise_of(patch, image);
   Eigen::MatrixXd weights;
   for (double smoothing = least_smoothing; smoothing < most_smoothing; smoothing *= smoothing_step) {

@@ -6,9 +6,10 @@
 
 namespace loopmend {
 
-/// Moves the image so that it meets the collar: the vectors from the image to the vertices of its collar, interpolated by
-/// Σ w_k |p − p_k| + a polynomial of degree 1, the least ∫‖D²u‖² of the kind in space. No more than some 500 vertices count, those on the loop first.
-/// Noise of the vectors is left behind. @returns whether there was such a field; without it, and when cancelled, the image is unchanged.
+/// Moves the image so that it meets the collar: the vectors from the image to the vertices of its collar,
+/// interpolated by Σ w_k |p − p_k| + a polynomial of degree 1, the least ∫‖D²u‖² of the kind in space. No more than
+/// some 500 vertices count, those on the loop first. Noise of the vectors is left behind. @returns whether there was
+/// such a field; without it, and when cancelled, the image is unchanged.
 bool carry_misfit(const Patch& patch, const CancelToken& cancel, MirrorImage& image);
 
 }  // namespace loopmend

@@ -46,8 +46,8 @@ FittedImage best_image(const SurfaceModel& model, const TriangleIndex& index, co
   return best;
 }
 
-/// How well the image of the surface, with its hole closed, fits in the first plane of symmetry that the hole lies across; of an
-/// image with nothing to compare, `open_there`.
+/// How well the image of the surface, with its hole closed, fits in the first plane of symmetry that the hole lies
+/// across; of an image with nothing to compare, `open_there`.
 std::optional<MirrorFit> fit_across(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
                                     const Collar& collar, const std::vector<MirrorPlane>& planes,
                                     const CancelToken& cancel) {

@@ -12,7 +12,8 @@ namespace loopmend {
 bool lies_across(const Patch& patch, const MirrorPlane& plane);
 
 /// The patch moved towards its own mirror image: most where the image is nearer than the patch to what is known.
-/// @param patch  with one loop. @param index  of the model's soup triangles. @returns none without an image, or when cancelled.
+/// @param patch with one loop. @param index of the model's soup triangles. @returns none without an image, or when
+/// cancelled.
 std::optional<Patch> symmetric_patch(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,
                                      const MirrorPlane& plane, const CancelToken& cancel = {});
 

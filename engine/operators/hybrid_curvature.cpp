@@ -91,8 +91,8 @@ void Place::choose_samples(const Points& points, const std::vector<int>& neighbo
 /// The fits at two vertices side by side.
 class Fitter {
  public:
-  /// At vertex i and the next one, where there is one. A fit stays as it is where the vertex has no normal or no neighbor, or a
-  /// position is not finite.
+  /// At vertex i and the next one, where there is one. A fit stays as it is where the vertex has no normal or no
+  /// neighbor, or a position is not finite.
   void fit(int i, const Points& points, const Points& normals, const FitNeighbors& neighbors, std::vector<Fit>& fits) {
     const int count = std::min(lanes, static_cast<int>(points.size()) - i);
     std::size_t most = 0;

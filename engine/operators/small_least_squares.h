@@ -56,8 +56,8 @@ bool may_go_on(const Eigen::Array<double, count, 1>& pivots) {
   return (pivots > 0).any();
 }
 
-/// Of a symmetric positive definite matrix, of which the lower triangle is read. A number may stand for those of several matrices side
-/// by side.
+/// Of a symmetric positive definite matrix, of which the lower triangle is read. A number may stand for those of
+/// several matrices side by side.
 template <int size, class Number = double>
 class SmallCholesky {
  public:

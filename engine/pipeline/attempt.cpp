@@ -13,13 +13,13 @@
 
 namespace loopmend {
 
-namespace {
-
-constexpr double unfolded_deg = 140;  ///< well below what the judge calls a fold
-
 double energy_of(const Patch& patch, FlowKind flow) {
   return shown_energy(flow, make_state(patch, {flow, 0}, Stencil::two_ring, nullptr, Fits::curvatures));
 }
+
+namespace {
+
+constexpr double unfolded_deg = 140;  ///< well below what the judge calls a fold
 
 Message message_on_outliers(int outliers) {
   Message message =

@@ -36,6 +36,9 @@ struct AttemptContext {
 /// when cancelled.
 bool run_once(const AttemptContext& context, const Patch& start, const EvolutionOptions& options, PatchResult& result);
 
+/// Of the flow, as reports have it: units as in StepRecord.
+double energy_of(const Patch& patch, FlowKind flow);
+
 /// Makes the patch the result's: validated, and judged by `judge`.
 void take_patch(const AttemptContext& context, const Judge& judge, FlowKind flow, Patch patch, PatchResult& result);
 

@@ -61,8 +61,9 @@ class Judge {
   /// @param creases  `asked_for`: position alone was asked for at the seam.
   Judge(const Patch& initial, std::vector<LoopEnd> ends, Creases creases);
 
-  /// The same judge for patches that bend on purpose; how high they rise is meant, too. @param edges  of their loops that they crease, per loop and edge, from place i
-  /// to i + 1. @param sharpest_deg  largest bend within them that is no fold
+  /// The same judge for patches that bend on purpose; how high they rise is meant, too. @param edges of their loops
+  /// that they crease, per loop and edge, from place i to i + 1. @param sharpest_deg largest bend within them that is
+  /// no fold
   Judge expecting_creases(std::vector<std::vector<char>> edges, double sharpest_deg) const;
 
   /// @param validity  of the patch against scan and itself, with intersections per loop.

@@ -13,13 +13,13 @@ namespace {
 
 constexpr const char* mirror_name = text_to_say("mirror image");
 
-/// ln(rms / D) = intercept + slope_δ ln(difference) + slope_s ln(bend of the seam), and quantiles of the residuals: least squares over
-/// 106 copies of 15 models (docs/math/mirror_image.md, "How far off").
+/// ln(rms / D) = intercept + slope_δ ln(difference) + slope_s ln(bend of the seam), and quantiles of the residuals:
+/// least squares over 106 copies of 15 models (docs/math/mirror_image.md, "How far off").
 constexpr double mirror_intercept = -6.73, difference_slope = 0.174, seam_slope = 0.909;
 constexpr double mirror_half = -0.097, mirror_likely = 1.008, mirror_most = 1.432;
 constexpr double least_difference_known = 1e-3, least_seam_deg = 0.5;  ///< the fit knows no smaller ones
-/// Of the copy from the ordinary patch, in misfits: where it is less, noise and asymmetry may be all of it (docs/math/mirror_image.md, "The
-/// test").
+/// Of the copy from the ordinary patch, in misfits: where it is less, noise and asymmetry may be all of it
+/// (docs/math/mirror_image.md, "The test").
 constexpr double least_difference = 3;
 constexpr double most_misfit_of_deviation = 0.5;  ///< where it differs less: of what the ordinary patch is likely off
 
@@ -111,6 +111,7 @@ void make_symmetric(const PatchProblem& problem, const Judge& judge, const Cance
   result.validity = validity;
   result.seams = seams;
   result.verdicts = verdicts;
+  result.energy.final = energy_of(result.patch, result.flow);
   result.status = PatchStatus::faired;
   result.mirror.answer = MirrorFit::Answer::symmetric;
 }

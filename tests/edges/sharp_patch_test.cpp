@@ -184,8 +184,8 @@ TEST(SharpEdges, AKnifesEdgeIsNoFold) {
   }
 }
 
-/// The roof |n · (x, y)| ≤ 1 − z over a regular polygon, n normal to one of its sides, without its tip: rings of triangles down to z = 0. The hole is
-/// not plane, else it would be the end of a cut body.
+/// The roof |n · (x, y)| ≤ 1 − z over a regular polygon, n normal to one of its sides, without its tip: rings of
+/// triangles down to z = 0. The hole is not plane, else it would be the end of a cut body.
 struct Roof {
   int sides = 4;
   double slope = 1;
