@@ -129,6 +129,11 @@ void sort_by_position(const SurfaceModel& model, const std::vector<BoundaryLoop>
 /// On a scan full of holes each lies near some other, and all would be one problem.
 constexpr std::size_t most_jointly = 24;
 
+double total_edges(const std::vector<BoundaryLoop>& loops) {
+  return std::accumulate(loops.begin(), loops.end(), 0.0,
+                         [](double sum, const BoundaryLoop& l) { return sum + l.edges(); });
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> group_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
@@ -203,7 +208,7 @@ InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const
   part.loops = picked(group.loops, members);
   part.outcomes = picked(group.outcomes, members);
   part.patch = joined_patch(model, part.loops, part.outcomes, options.density);
-  part.seconds = group.seconds;
+  part.seconds = group.seconds * total_edges(part.loops) / total_edges(group.loops);
   return part;
 }
 

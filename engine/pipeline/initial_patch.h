@@ -50,7 +50,8 @@ InitialPatch make_initial_patch(const SurfaceModel& model, const std::vector<Bou
 InitialPatch make_surveyed_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& group,
                                  const InitialPatchOptions& options, const CancelToken& cancel);
 
-/// Those loops of a group alone. @param members  indices into the group's loops.
+/// Those loops of a group alone, with their share of its seconds by boundary edges.
+/// @param members  indices into the group's loops.
 InitialPatch part_of(const SurfaceModel& model, const InitialPatch& group, const std::vector<int>& members,
                      const InitialPatchOptions& options);
 

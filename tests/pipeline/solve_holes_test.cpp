@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a caller sees of a fill, and from where it may set out.
 #include "pipeline/fill_holes.h"
+#include "pipeline/initial_patch.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
@@ -94,6 +95,18 @@ TEST(SolveHoles, APatchThatAFlowHasMovedGoesOnFromThere) {
   groups = solve_holes(ScanIndex(model), {{}, {moved}}, options, observer, nullptr, {});
   EXPECT_TRUE(groups.at(0).patches.empty());
   EXPECT_NE(groups[0].holes.at(0).message.english().find("are allowed: the patch stays as it is"), std::string::npos);
+}
+
+TEST(SolveHoles, PartsOfAPatchShareItsSeconds) {
+  const SurfaceModel model = sphere_with_four_holes();
+  InitialPatch initial = make_initial_patch(model, find_boundary_loops(model), {}, {});
+  initial.seconds = 4;
+  double sum = 0;
+  for (int k = 0; k < 4; ++k) {
+    sum += part_of(model, initial, {k}, {}).seconds;
+    EXPECT_LT(sum, k < 3 ? 4.0 : 5.0);
+  }
+  EXPECT_NEAR(sum, 4, 1e-12);
 }
 
 TEST(SolveHoles, AnIslandThatHasAPatchIsNotJoined) {
