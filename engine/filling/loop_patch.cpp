@@ -45,9 +45,8 @@ struct FillContext {
   enum class Cuts { may_come, may_not } cuts = Cuts::may_come;  ///< in exchange for folds, where there were none
 };
 
-/// What ends remeshing early; neither leaves fill_loop().
-struct Cancelled {};
-struct TooManyVertices {};
+/// Thrown to end remeshing early; does not leave fill_loop().
+enum class Stopped { cancelled, too_many_vertices };
 
 /// Sizes and normals at the boundary.
 void measure_neighborhood(FillContext& context) {
@@ -138,6 +137,11 @@ struct Candidate {
   Validity quality;
 
   int defect_count() const { return quality.folds + quality.intersections; }
+  /// One that cuts nothing is better than any that does: on a wall that turns back, each boundary edge may count as a fold.
+  bool better_than(const Candidate& other) const {
+    const auto rank = [](const Candidate& c) { return std::pair(c.quality.intersections > 0, c.defect_count()); };
+    return rank(*this) < rank(other);
+  }
   /// Bad enough to try another triangulation: the folds on a boundary that turns back are the boundary's own.
   bool wants_another(int boundary) const {
     return quality.intersections > 0 || (quality.folds > 0 && quality.folds < boundary);
@@ -218,8 +222,7 @@ std::vector<Candidate> first_triangulations(const FillContext& context, const Ca
   std::vector<Candidate> candidates = triangulations_without(context.taken, context, cancel);
   if (candidates.empty() && !context.taken.empty())
     candidates = triangulations_without(present_chords({}, context.vertex), context, cancel);
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.defect_count() < b.defect_count(); });
+  std::ranges::stable_sort(candidates, &Candidate::better_than);
   return candidates;
 }
 
@@ -380,8 +383,8 @@ double expected_vertices(const FillContext& context, const BoundaryLoop& loop, d
 
 ConstrainedRemesher::Watch watch_for(double most_vertices, const CancelToken& cancel) {
   return [most_vertices, &cancel](std::size_t count) {
-    if (cancel.cancelled()) throw Cancelled();
-    if (static_cast<double>(count) > most_vertices) throw TooManyVertices();
+    if (cancel.cancelled()) throw Stopped::cancelled;
+    if (static_cast<double>(count) > most_vertices) throw Stopped::too_many_vertices;
   };
 }
 
@@ -454,19 +457,17 @@ LoopPatchOutcome fill_loop(const SurfaceModel& model, const BoundaryLoop& loop, 
   try {
     for (const Candidate& candidate : candidates) {
       Candidate refined = refine(context, size, candidate, options.shape, vertices, cancel);
-      if (best.triangles.empty() || refined.defect_count() < best.defect_count()) best = std::move(refined);
+      if (best.triangles.empty() || refined.better_than(best)) best = std::move(refined);
       if (!best.wants_another(context.n) || vertices > one_try_only || cancel.cancelled()) break;
     }
-  } catch (const Cancelled&) {
-    return outcome;
-  } catch (const TooManyVertices&) {
-    outcome.message = joined(say("the patch would need more than %1 vertices", number_of(options.most_vertices)), ": ",
-                             say("a lower density needs fewer"))
-                          .with_code("too_many_vertices");
+  } catch (Stopped why) {
+    if (why == Stopped::too_many_vertices)
+      outcome.message = joined(say("the patch would need more than %1 vertices", number_of(options.most_vertices)),
+                               ": ", say("a lower density needs fewer"))
+                            .with_code("too_many_vertices");
     return outcome;
   }
   if (cancel.cancelled()) return outcome;
-
   return finished(model, loop, context, std::move(best));
 }
 
@@ -488,12 +489,10 @@ LoopPatchOutcome fill_loop_uncut(const SurfaceModel& model, const TriangleIndex&
                        {options.density});
   try {
     best = refine(context, size, best, InitialShape::triangulated, vertices, cancel);
-  } catch (const Cancelled&) {
-    return {};
-  } catch (const TooManyVertices&) {
+    if (cancel.cancelled()) return {};
+  } catch (Stopped) {
     return {};
   }
-  if (cancel.cancelled()) return {};
   return finished(model, loop, context, std::move(best));
 }
 

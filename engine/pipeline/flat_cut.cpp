@@ -55,6 +55,51 @@ struct Profile {
   std::optional<double> curvature;  ///< 1/length, positive where the profile turns from the axis to the center
 };
 
+/// How the normals of the faces behind a loop lie. Those of a cylinder, a cone or a prism lie on a plane, whatever its slope to that of
+/// the loop; those of a ball turn with the height over it.
+class NormalsOfWall {
+ public:
+  /// The faces behind one vertex of the loop. @param normals  as long as twice the areas
+  void add(const std::vector<Vec3>& centers, const std::vector<Vec3>& normals) {
+    double weight = 0;
+    Vec3 center = Vec3::Zero(), normal = Vec3::Zero();
+    for (std::size_t f = 0; f < normals.size(); ++f) {
+      weight += normals[f].norm();
+      center += normals[f].norm() * centers[f];
+      normal += normals[f];
+    }
+    if (!(weight > 0)) return;
+    center /= weight;
+    normal /= weight;
+    for (std::size_t f = 0; f < normals.size(); ++f) {
+      const double area = normals[f].norm();
+      if (!(area > 0)) continue;
+      const Vec3 unit = normals[f] / area, from_center = centers[f] - center;
+      turning_ += area * (unit - normal) * from_center.transpose();
+      spread_ += area * from_center * from_center.transpose();
+      weight_ += area;
+      sum_ += area * unit;
+      squares_ += area * unit * unit.transpose();
+    }
+  }
+
+  /// Change of the normals' component along the direction in which they differ least, over the distance in that direction, 1/length.
+  double turning() const {
+    if (!(weight_ > 0)) return 0;
+    const Vec3 mean = sum_ / weight_;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(squares_ / weight_ - mean * mean.transpose());
+    const Vec3 direction = axes.eigenvectors().col(0);
+    const double spread = direction.dot(spread_ * direction);
+    return spread > 0 ? std::abs(direction.dot(turning_ * direction)) / spread : 0;
+  }
+
+ private:
+  Eigen::Matrix3d turning_ = Eigen::Matrix3d::Zero(), spread_ = Eigen::Matrix3d::Zero(),
+                  squares_ = Eigen::Matrix3d::Zero();
+  Vec3 sum_ = Vec3::Zero();
+  double weight_ = 0;
+};
+
 /// Where a loop lies, and the points of the surface behind its vertices.
 class Profiles {
  public:
@@ -79,35 +124,23 @@ class Profiles {
     return profile;
   }
 
-  /// Sums over the faces behind one loop vertex, up to half the reach, since a low wall may end beyond: of the angle between face and axis, over their distance behind the loop's plane.
-  struct Turning {
-    double covariance = 0, variance = 0;
-  };
   double steepness_of_face(std::size_t k) const { return facing_.conormals[k].dot(axis_); }
-  Turning turning_at(std::size_t k) const {
+
+  /// Adds the faces behind one loop vertex, up to half the reach, since a low wall may end beyond.
+  void add_faces_behind(std::size_t k, NormalsOfWall& wall) const {
     const Vec3 p = mesh_.point(TriMesh::VertexHandle(loop_.vertices[k]));
     std::set<int> faces;
     for (const int v : within(reach_ / 2, loop_.vertices[k], p))
       for (const auto f : mesh_.vf_range(TriMesh::VertexHandle(v))) faces.insert(f.idx());
-    double weight = 0, mean_back = 0, mean_angle = 0;
-    Turning turning;
+    std::vector<Vec3> centers, normals;
     for (const int f : faces) {
       std::array<Vec3, 3> corner;
       std::size_t c = 0;
       for (const auto v : mesh_.fv_range(TriMesh::FaceHandle(f))) corner[c++] = mesh_.point(v);
-      const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-      const double area = normal.norm();
-      if (!(area > 0)) continue;
-      const double back = axis_.dot(p - (corner[0] + corner[1] + corner[2]) / 3);
-      const double angle = std::asin(std::clamp(axis_.dot(normal) / area, -1.0, 1.0));
-      weight += area;
-      const double old_back = back - mean_back, old_angle = angle - mean_angle;
-      mean_back += area / weight * old_back;
-      mean_angle += area / weight * old_angle;
-      turning.covariance += area * old_back * (angle - mean_angle);
-      turning.variance += area * old_back * (back - mean_back);
+      centers.emplace_back((corner[0] + corner[1] + corner[2]) / 3 - p);
+      normals.emplace_back((corner[1] - corner[0]).cross(corner[2] - corner[0]));
     }
-    return turning;
+    wall.add(centers, normals);
   }
 
  private:
@@ -197,25 +230,24 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   if (facing.axis.isZero()) return LoopEnd::runs_on;
   const Profiles profiles(model, loop, facing);
   std::vector<double> steepness, curvatures, steepness_of_faces;
-  Profiles::Turning turning;
+  NormalsOfWall wall;
   const std::size_t stride = 1 + loop.vertices.size() / most_fits;
   for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
     const Profile profile = profiles.at(k);
     steepness.push_back(profile.steepness);
     if (profile.curvature) curvatures.push_back(*profile.curvature);
     steepness_of_faces.push_back(profiles.steepness_of_face(k));
-    const Profiles::Turning at_vertex = profiles.turning_at(k);
-    turning.covariance += at_vertex.covariance;
-    turning.variance += at_vertex.variance;
+    profiles.add_faces_behind(k, wall);
   }
   const bool flat = loop.planarity <= flat_planarity;
   // Corners and the loop's own roundness bend the fits of profiles, but not the angle between faces and axis.
-  const double share_of_a_ball =
-      turning.variance > 0 ? std::abs(turning.covariance / turning.variance) * facing.radius : 0;
+  const double share_of_a_ball = wall.turning() * facing.radius / std::max(steep, median(steepness_of_faces));
   const bool straight = share_of_a_ball < most_of_a_straight_wall;
   if (straight && quantile(steepness_of_faces, torn_share) >= upright_all_along)
     return flat ? LoopEnd::flat : LoopEnd::curved;
-  if (straight && loop.planarity <= exact_planarity && median(steepness_of_faces) >= upright) return LoopEnd::flat;
+  if (straight && loop.planarity <= plane_cut && median(steepness_of_faces) >= steep &&
+      quantile(steepness_of_faces, torn_share) >= still_steep)
+    return LoopEnd::flat;
   // Without profiles the wall is known by single faces only, as of a coarse box: it has to stand upright on a flat loop.
   const bool known = 2 * curvatures.size() >= steepness.size();
   const double usual = median(steepness);

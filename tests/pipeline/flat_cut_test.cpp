@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace loopmend {
 namespace {
@@ -35,6 +36,19 @@ TEST(FlatCut, IsTheEndOfATubeAndOfACone) {
   EXPECT_EQ(loop_end(cone, upper(cone)), LoopEnd::flat);
   const SurfaceModel bell = open_above([](double z) { return 1 + 0.05 * z * z; }, 3);
   EXPECT_EQ(loop_end(bell, upper(bell)), LoopEnd::flat);
+}
+
+/// The wall leans over the plane at one end of the ellipse and away from it at the other.
+TEST(FlatCut, IsTheEndOfATubeThatIsCutAtAnyAngle) {
+  for (const double degrees : {20, 40, 45, 50, 55, 60})
+    for (const int around : {24, 40, 96})
+      for (const int rows : {3, 20, 60}) {
+        const double slope = std::tan(degrees * std::numbers::pi / 180), length = 4;
+        TriangleSoup soup = make_revolution([](double) { return 1.0; }, 0, length, around, rows);
+        for (Vec3& p : soup.points) p.z() *= 1 + slope * p.x() / length;
+        const SurfaceModel tube = make_surface_model(soup);
+        EXPECT_EQ(loop_end(tube, upper(tube)), LoopEnd::flat) << degrees << ' ' << around << ' ' << rows;
+      }
 }
 
 /// Corners, and rows so wide that a wall has only two or three of them.
