@@ -124,9 +124,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
             "Pieces of surface within a hole: join them to its patch, or cover them with it");
   fill->add_flag_callback(
       "--auto", [&command] { command.job.prepare.extent = PrepareOptions::Extent::where_needed; },
-      "Do first what this mesh needs, and nothing else: --stitch where boundaries nearly coincide, --repair where "
-      "loops "
-      "run along edges of more than two faces, --trim-crossing where no patch could be valid");
+      "Do first what this mesh needs, and nothing else: --cut-no-data where vertices mark missing data, --stitch where "
+      "boundaries nearly coincide, --repair where loops run along edges of more than two faces, --trim-crossing where "
+      "no patch "
+      "could be valid");
   fill->add_flag_callback(
       "--turn-around", [&command] { command.job.prepare.sides = PrepareOptions::Sides::turned; },
       "Turn all faces round first, as those of a scan that is inside out");

@@ -180,7 +180,7 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     replace(std::move(soup));
   }
   done.no_data = find_no_data(model.soup.points);
-  if (options.no_data == PrepareOptions::NoData::cut && !done.no_data.vertices.empty()) {
+  if ((options.no_data == PrepareOptions::NoData::cut || where_needed) && !done.no_data.vertices.empty()) {
     TriangleSoup soup = as_read(model);
     done.no_data_faces = remove_faces_at(done.no_data.vertices, soup);
     replace(std::move(soup));

@@ -20,8 +20,8 @@ struct InvertedShells {
 
 /// A shell in no other one, or in two, four and so on, is a body: it is inside out where its volume is negative. A shell in one
 /// other, or three and so on, is a cavity: it is inside out where the body around it is, and its volume is positive. What lies in a
-/// shell that is open and inside out, or in the box of one that may be either, is left as it is. Shells
-/// with edges of more than two faces, or that are one-sided, are left out.
+/// shell that is open and inside out, or in the box of one that may be either, is left as it is. Left out are shells with edges of
+/// more than two faces, one-sided ones, and those with vertices at a mark for missing data.
 /// @param loops  all of the model, which may be one that holds only what lies around them
 InvertedShells find_inverted_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 

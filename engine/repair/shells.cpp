@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/shells.h"
 
+#include "mesh/no_data.h"
 #include "mesh/pieces.h"
 #include "repair/inside_shell.h"
 
@@ -92,6 +93,8 @@ Shells find_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& l
     cover(shells.all[s], model, loop, origins[s]);
     if (loop.kind == LoopKind::cut) shells.all[s].has_sides = false;
   }
+  for (const int v : find_no_data(points).vertices)  // spikes of a sheet, which has no inside
+    if (shells.of_point[v] >= 0) shells.all[shells.of_point[v]].has_sides = false;
   for (Shell& shell : shells.all) shell.uncertainty += 1e-12 * shell.area * shell.box.diagonal().norm();  // of rounding
   return shells;
 }

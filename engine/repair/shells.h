@@ -20,7 +20,7 @@ struct Shell {
   double volume = 0;        ///< with the fans; below 0: the faces look inward
   double openings = 0;      ///< area of the fans
   double uncertainty = 0;   ///< of the volume: what covers as high as half balls would change
-  bool has_sides = true;    ///< whether each edge has two faces, or one
+  bool has_sides = true;    ///< each edge has two faces, or one, and no vertex is a mark for missing data
   bool is_open = false;     ///< whether some edge has one face
   std::set<int> crosses{};  ///< shells that cross or touch it: it is not looked for in them
   std::vector<int> around;  ///< shells that it lies in; only after find_nesting()

@@ -169,8 +169,9 @@ def fill(
         solver: of the steps: "auto", "direct" or "gmres".
         stitch: joins boundaries that lie within a tenth of their edges of each other first; within a length, as in
             ``stitch=0.5``; or within a part of the edges, as in ``stitch="5%"``.
-        auto: does first what this mesh needs, and nothing else: stitch where boundaries nearly coincide, repair where loops run
-            along edges of more than two faces, trim_crossing where no patch could be valid.
+        auto: does first what this mesh needs, and nothing else: cut_no_data where vertices mark missing data, stitch where
+            boundaries nearly coincide, repair where loops run along edges of more than two faces, trim_crossing where no patch
+            could be valid.
         turn_around: turns all faces round first, as those of a scan that is inside out.
         repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled. Bodies that are

@@ -385,6 +385,8 @@ TEST_F(PreparationCommands, SpikesOfMissingDataAreNamedAndCut) {
   for (const Triangle& t : after.triangles)
     for (int v : t) ASSERT_GT(after.points[v].z(), 390);
   EXPECT_THAT(fill("a.ply", "--cut-no-data").out, Not(HasSubstr("--cut-no-data")));
+  EXPECT_THAT(fill("a.ply", "--auto").out,
+              AllOf(HasSubstr("removed at 3 vertices of missing data"), HasSubstr("2 filled, 0 failed")));
 }
 
 TEST_F(PreparationCommands, ABaseIsBuiltUnderTheLargestLoop) {

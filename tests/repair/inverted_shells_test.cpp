@@ -126,6 +126,16 @@ TEST(InvertedShells, SheetsHaveNoInside) {
   }
 }
 
+/// Spikes down to a mark for missing data have a large area, so that the sheet is closed but for a small opening.
+TEST(InvertedShells, ASheetWithSpikesHasNoInside) {
+  for (const double mark : {-9999.0, -32768.0}) {
+    TriangleSoup soup = make_graph([&](double x, double y) { return std::hypot(x, y) < 0.4 ? mark : 0.1; }, 1, 16);
+    const InvertedShells found = found_in(soup);
+    EXPECT_EQ(found.open + found.closed, 0u) << mark;
+    EXPECT_FALSE(repair_surface(soup).counts.any()) << mark;
+  }
+}
+
 /// Of a large scan the view holds no more than what lies around the loops.
 TEST(InvertedShells, AreFoundInAViewAroundTheLoops) {
   TriangleSoup holed = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.95; });
