@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/single_precision.h"
 #include "io/color_spaces.h"
 #include "io/first_occurrence.h"
 #include "io/gltf_document.h"
 #include "io/gltf_materials.h"
 #include "io/gltf_nodes.h"
 #include "io/polygon_soup.h"
-#include "io/single_precision.h"
 #include "io/text_cursor.h"
 
 #include <Eigen/Geometry>

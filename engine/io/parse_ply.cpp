@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/single_precision.h"
 #include "core/threads.h"
 #include "io/lone_places.h"
 #include "io/parse_errors.h"
 #include "io/ply_header.h"
 #include "io/ply_rows.h"
 #include "io/polygon_soup.h"
-#include "io/single_precision.h"
 #include "io/text_rows.h"
 
 #include <algorithm>

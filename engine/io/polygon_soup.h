@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/message.h"
+#include "core/single_precision.h"
 #include "core/types.h"
 #include "io/file_content.h"
 #include "io/not_kept.h"
-#include "io/single_precision.h"
 #include "mesh/scan_attributes.h"
 
 #include <cmath>

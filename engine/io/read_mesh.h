@@ -2,8 +2,8 @@
 // Reading PLY, STL, OBJ, OFF, glTF, 3MF and polydata into a validated triangle soup. All of a file, or an error.
 #pragma once
 
+#include "core/single_precision.h"
 #include "io/not_kept.h"
-#include "io/single_precision.h"
 #include "mesh/triangle_soup.h"
 #include "mesh/vertex_survey.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
+#include "core/single_precision.h"
 #include "io/base64.h"
 #include "io/color_spaces.h"
 #include "io/format_writers.h"
 #include "io/gltf_materials.h"
-#include "io/single_precision.h"
 #include "io/written_triangles.h"
 
 #include <algorithm>

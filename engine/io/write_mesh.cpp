@@ -2,12 +2,12 @@
 #include "io/write_mesh.h"
 
 #include "core/error.h"
+#include "core/single_precision.h"
 #include "io/atomic_file.h"
 #include "io/file_content.h"
 #include "io/format_writers.h"
 #include "io/gzip.h"
 #include "io/polydata.h"
-#include "io/single_precision.h"
 #include "io/text_cursor.h"
 
 #include <algorithm>

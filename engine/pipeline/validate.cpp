@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/validate.h"
 
+#include "core/single_precision.h"
 #include "mesh/chord_faces.h"
 #include "mesh/quality.h"
 
@@ -15,6 +16,14 @@
 namespace loopmend {
 
 namespace {
+
+/// Of what is written: files of a scan that floats hold are mostly files of floats, and rounding can make thin triangles cross.
+PatchGeometry written_geometry(const ScanIndex& scan, const Patch& patch) {
+  PatchGeometry geometry = patch_geometry(patch);
+  if (scan.holds_as_floats)
+    for (Vec3& p : geometry.points) p = as_floats(p);
+  return geometry;
+}
 
 /// As cuts_of(), each pair within the patch once.
 std::vector<std::pair<int, int>> cuts(const ScanIndex& scan, const PatchGeometry& patch,
@@ -60,15 +69,16 @@ std::vector<int> intersections_of(const ScanIndex& scan, const PatchGeometry& pa
 
 ScanIndex::ScanIndex(const SurfaceModel& surface)
     : model(surface),
-      index(surface.soup.points, surface.soup.triangles, triangles_outside(surface)) {}
+      index(surface.soup.points, surface.soup.triangles, triangles_outside(surface)),
+      holds_as_floats(loopmend::holds_as_floats(surface.soup.points)) {}
 
 std::vector<std::pair<int, int>> cuts_of(const ScanIndex& scan, const Patch& patch) {
-  return cuts(scan, patch_geometry(patch), [](int, int) {});
+  return cuts(scan, written_geometry(scan, patch), [](int, int) {});
 }
 
 int new_nonmanifold_edges(const ScanIndex& scan, const Patch& patch) {
   const TriangleSoup& soup = scan.model.soup;
-  const PatchGeometry geometry = patch_geometry(patch);
+  const PatchGeometry geometry = written_geometry(scan, patch);
   std::vector<int> at_boundary;
   ChordFaces chords;
   chords.add_chords(scan.model, geometry);
@@ -132,7 +142,7 @@ Validity validate(const ScanIndex& scan, const Patch& patch) {
   validity.min_angle_deg = min_angle_deg(patch.positions, patch.triangles, patch.patch_triangles);
   validity.nonmanifold_edges = new_nonmanifold_edges(scan, patch);
   validity.intersections_of_loop.assign(patch.loops.size(), 0);
-  const std::vector<int> loop = loop_of_triangles(patch), count = intersections_of(scan, patch_geometry(patch));
+  const std::vector<int> loop = loop_of_triangles(patch), count = intersections_of(scan, written_geometry(scan, patch));
   std::vector<char> spoiled(patch.triangles.size(), 0);
   for (const auto& [f, g] : folds) spoiled[f] = spoiled[g] = 1;
   for (int f = 0; f < patch.patch_triangles; ++f) {

@@ -19,6 +19,7 @@ struct ScanIndex {
   explicit ScanIndex(const SurfaceModel& surface);
   const SurfaceModel& model;
   TriangleIndex index;
+  bool holds_as_floats;  ///< whether floats hold all of its coordinates
 };
 
 /// Edges between two triangles of the patch, their ends on its boundary, that would have more than two faces of patch and scan
@@ -26,6 +27,7 @@ struct ScanIndex {
 int new_nonmanifold_edges(const ScanIndex& scan, const Patch& patch);
 
 /// For each triangle of the patch, how many others of patch and model it intersects, summed; everything that Validity tells.
+/// Intersections are those of the patch as files of floats have it, where floats hold the scan.
 Validity validate(const ScanIndex& scan, const Patch& patch);
 
 /// Pairs of a triangle of the patch and a soup triangle of the model that it cuts; -1 for another of the patch.

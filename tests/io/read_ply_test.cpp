@@ -238,7 +238,7 @@ TEST_F(ReadPly, BinaryMayEndWithPaddingButNotWithMoreRows) {
   expect_refused(good + binary_body(false).substr(36), "a.ply", {"13 bytes more"});
 }
 
-/// GCC 12 can leave neighbouring doubles as they are that become floats and doubles again (io/single_precision.h).
+/// GCC 12 can leave neighbouring doubles as they are that become floats and doubles again (core/single_precision.h).
 TEST_F(ReadPly, DigitsBeyondThoseOfFloatsAreSeenInEveryCoordinate) {
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"

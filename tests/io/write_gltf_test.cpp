@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/single_precision.h"
 #include "gltf_test_support.h"
-#include "io/single_precision.h"
 #include "io/write_mesh.h"
 #include "io_test_support.h"
 #include "mesh/material_table.h"

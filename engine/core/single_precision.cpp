@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/single_precision.h"
+#include "core/single_precision.h"
 
 #include "core/threads.h"
 
