@@ -22,14 +22,14 @@ sys.path[:0] = [str(ROOT / "tests/bench"), str(ROOT / "docs/user/pictures")]
 import make_cases  # noqa: E402
 import other_programs  # noqa: E402
 
-WIDE, HIGH, HEAD = 460, 400, 44
+WIDE, HIGH, HEAD, FOOT = 460, 400, 66, 60  # captions are legible where the picture is 366 pixels wide, as on a telephone
 SCAN, INSIDE, LOOP = "#c9c3ba", "#55514d", "#b5095f"
 
-# Picture, model, its whole surface, options of Loopmend, direction of view, zoom, captions.
+# Picture, model, its whole surface, options of Loopmend, direction of view, zoom.
 PICTURES = [
-    ("edges", make_cases.block, lambda: make_cases.box(40, (45, 30, 30)), [], (0.5, 0.7, 1), 1.3, "sharp edges run on"),
-    ("mirror", make_cases.owl, None, ["--mirror"], (0.3, 0.4, 1), 1.7, "a copy of the other side"),
-    ("likely_error", make_cases.pebble_with_hole, make_cases.pebble, ["--deviation"], (0.1, -0.35, 1.2), 1.75, "likely error"),
+    ("edges", make_cases.block, lambda: make_cases.box(40, (45, 30, 30)), [], (0.5, 0.7, 1), 1.3),
+    ("mirror", make_cases.owl, None, ["--mirror"], (0.3, 0.4, 1), 1.7),
+    ("likely_error", make_cases.pebble_with_hole, make_cases.pebble, ["--deviation"], (0.1, -0.35, 1.2), 1.75),
 ]
 
 
@@ -127,8 +127,8 @@ def given_faces(points, faces, scan, scan_faces):
     return corners < 1e-5 * size
 
 
-def draw(program, folder, name, model, truth, options, view, zoom, caption):
-    from PIL import Image, ImageDraw, ImageFont
+def draw(program, folder, name, model, truth, options, view, zoom):
+    from PIL import Image
     points, faces = arrays(model())
     whole = arrays(truth() if truth else whole_owl())
     with tempfile.TemporaryDirectory() as work:
@@ -143,22 +143,27 @@ def draw(program, folder, name, model, truth, options, view, zoom, caption):
     images = [panel(points, faces, None, view, zoom, None, 0),
               panel(*ours, given_faces(*ours, points, faces), view, zoom, values, most),
               panel(*others[best], given_faces(*others[best], points, faces), view, zoom, None, 0)]
-    sheet = Image.new("RGB", (3 * WIDE, HIGH + HEAD), "white")
-    font = ImageFont.truetype("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 24)
+    compose([Image.fromarray(image).resize((WIDE, HIGH), Image.LANCZOS) for image in images], best, most).save(
+        Path(folder) / f"{name}.png", optimize=True)
+
+
+def compose(images, best, most):
+    """The three pictures under their captions, and under them the scale of the likely error where `most` is not 0."""
+    from PIL import Image, ImageDraw, ImageFont
+    sheet = Image.new("RGB", (3 * WIDE, HEAD + HIGH + (FOOT if most else 0)), "white")
+    font = ImageFont.truetype("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 42)
     pen = ImageDraw.Draw(sheet)
-    texts = ["Before", f"Loopmend: {caption}", f"{best}" + (": no likely error" if values is not None else "")]
-    for k, (image, text) in enumerate(zip(images, texts)):
-        sheet.paste(Image.fromarray(image).resize((WIDE, HIGH), Image.LANCZOS), (k * WIDE, HEAD))
+    for k, (image, text) in enumerate(zip(images, ["Before", "Loopmend", best])):
+        sheet.paste(image, (k * WIDE, HEAD))
         pen.text((k * WIDE + 10, 8), text, fill="#222222", font=font)
-    if values is not None:
-        bar = Image.linear_gradient("L").rotate(90, expand=True).resize((120, 12))
+    if most:
         import matplotlib
+        bar = Image.linear_gradient("L").rotate(90, expand=True).resize((200, 26))
         colors = (matplotlib.colormaps["Oranges"](np.asarray(bar))[:, :, :3] * 255).astype(np.uint8)
-        sheet.paste(Image.fromarray(colors), (WIDE + 60, HIGH + 16))
-        small = ImageFont.truetype("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 20)
-        pen.text((WIDE + 40, HIGH + 10), "0", fill="#222222", font=small)
-        pen.text((WIDE + 186, HIGH + 10), f"{most:.1f} (the pebble is 100 wide)", fill="#222222", font=small)
-    sheet.save(Path(folder) / f"{name}.png", optimize=True)
+        sheet.paste(Image.fromarray(colors), (WIDE + 50, HEAD + HIGH + 16))
+        pen.text((WIDE + 10, HEAD + HIGH + 2), "0", fill="#222222", font=font)
+        pen.text((WIDE + 262, HEAD + HIGH + 2), f"{most:.1f} (the pebble is 100 wide)", fill="#222222", font=font)
+    return sheet
 
 
 def main():

@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of README.md and of the first page: the embedded sample before and after, and the film of a flow; those of
-# docs/math/irregular_boundaries.md; those of docs/user/which_option.md; and those of docs/user/walkthrough.md, where PYTHON (default /usr/bin/python3) has pytest,
-# PyVista and Matplotlib; those of docs/user/gallery.md, where the shared scans are beside the repository. Those that show other programs are made by
-# docs/make_comparisons.py. The pictures of the window are made by docs/user/window/make_pictures.sh.
+# Makes these pictures:
+#   README.md and the first page: the embedded sample before and after, and the film of a flow
+#   docs/user/which_option.md
+#   docs/math/irregular_boundaries.md, where PYTHON (default /usr/bin/python3) has NumPy
+#   docs/user/holes_and_options.md and the window's start page, where it has PyVista and Pillow
+#   docs/user/walkthrough.md, where it has pytest, PyVista and Matplotlib
+#   docs/user/gallery.md, where the shared scans are beside the repository
+# docs/make_comparisons.py makes those that show other programs, docs/user/window/make_pictures.sh those of the window.
 # Usage: docs/make_pictures.sh BUILD
 set -euo pipefail
 
@@ -27,8 +31,9 @@ else
 fi
 if "$python" -c 'import numpy, pyvista, PIL' 2>/dev/null; then
   xvfb-run -a "$python" "$docs/user/pictures/make_options.py" "$program" "$docs/user/pictures"
+  xvfb-run -a "$python" "$docs/../resources/gallery/make_gallery.py" "$program"
 else
-  echo "docs/user/pictures/option_*: left as they are, since $python lacks NumPy, PyVista or Pillow" >&2
+  echo "docs/user/pictures/option_*, resources/gallery: left as they are, since $python lacks NumPy, PyVista or Pillow" >&2
 fi
 if "$python" -c 'import numpy' 2>/dev/null; then
   "$python" "$docs/math/three_holes.py" "$program" "$docs/math/pictures"

@@ -23,7 +23,7 @@ namespace loopmend {
 namespace {
 
 constexpr int longest_for_cubic_first = 100;
-constexpr int longest_for_cubic = 350;  // docs/dev/filling.md, "Triangulation"
+constexpr int longest_for_cubic = 350;  // docs/math/filling.md, "Triangulation"
 constexpr int longest_for_all_methods = 5000;
 constexpr double from_coarse_to_fine = 200;  // vertices
 constexpr double one_try_only = 20000;       // vertices: where the best triangulation fails, others would for as long

@@ -14,9 +14,9 @@ namespace loopmend {
 /// Normals of the neighborhood across the boundary: key (a, b) is the boundary edge as it runs in the patch.
 using BoundaryNormals = std::map<std::pair<int, int>, Vec3>;
 
-/// A guarded operation is undone, or not done, when it takes the worst dihedral of the edges it touches beyond 80° and
-/// beyond what it was (docs/dev/filling.md, "Guarded operations"). Vertices 0..locked−1 are the boundary: they never move, and no
-/// edge between two of them is ever made.
+/// An operation is undone, or not done, when it takes the largest angle between normals at the edges it touches beyond 80° and
+/// beyond its old value (docs/math/filling.md, "Remeshing and relaxation"). Vertices 0..locked−1 are the boundary: they never
+/// move, and no edge between two of them is made.
 class ConstrainedRemesher {
  public:
   /// Target edge length at a place.

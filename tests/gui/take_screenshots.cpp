@@ -8,7 +8,6 @@
 #include "document/language.h"
 #include "document/preferences.h"
 #include "jobs/load_scan.h"
-#include "problems/paper_examples.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 #include "support/mirror_models.h"
@@ -221,27 +220,6 @@ void show_example(MainWindow& window, const TriangleSoup& soup, const QString& n
   linger(300);
 }
 
-/// Small pictures for the start page.
-void show_gallery(MainWindow& window) {
-  for (const PaperExample& example : paper_examples()) {
-    std::vector<OpenedScanPtr> parts;
-    for (const TriangleSoup& soup : example.parts()) parts.push_back(made_scan(soup, QString(), Vec3::Zero()));
-    window.controller().open_made(parts);
-    window.view().frame();
-    trigger(window, "plain");
-    linger(700);
-    PictureOptions options;
-    options.size = QSize(336, 234);
-    options.ground = PictureOptions::Ground::transparent;
-    options.extras = PictureOptions::Extras::none;
-    window.view()
-        .picture(options)
-        .scaled(168, 117, Qt::KeepAspectRatio, Qt::SmoothTransformation)
-        .save(folder.filePath(QStringLiteral("gallery_%1.png").arg(QLatin1String(example.id))));
-  }
-  trigger(window, "curvature");
-}
-
 void show_points(MainWindow& window) {
   show_example(window, make_dodecahedron(), QStringLiteral("dodecahedron"));
   trigger(window, "toolPointsAction");
@@ -414,7 +392,6 @@ int main(int argc, char** argv) {
     wait_idle(window);
     show_compare(window);
     show_tools(window);
-    show_gallery(window);
     show_points(window);
     show_blend(window);
     show_bridge(window);
@@ -428,7 +405,6 @@ int main(int argc, char** argv) {
   show_compare(window);
   show_tools(window);
   show_the_rest(window);
-  show_gallery(window);
   show_points(window);
   show_blend(window);
   show_bridge(window);

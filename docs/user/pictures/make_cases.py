@@ -351,18 +351,29 @@ PICTURES = [
     ("strays", "strays.ply", "clean.ply", "--direction 0.3,-0.8,1"),
     ("edges", "block.ply", "block_filled.ply", "--direction 0.5,0.7,1"),
     ("flat", "bust.ply", "bust_filled.ply", "--direction 0.3,-1,-0.5"),
-    ("base", "mask.ply", "print.stl", "--direction 0.9,-0.5,0.9"),
+    ("base", "mask.ply", "print.stl", "--direction 1.2,-0.7,0.4"),
     ("wall", "cup.ply", "cup_closed.ply", "--direction 0.3,-0.8,0.8"),
     ("mirror", "head.ply", "head_filled.ply", "--direction 0.3,0.4,1"),
     ("rough", "stone.ply", "stone_filled.ply", "--direction 0.1,-0.3,1.2"),
     ("island", "island.ply", "joined.ply", "--direction 0.3,-0.8,1.2"),
-    ("crossing", "crossing.ply", "uncrossed.ply", "--loop 1"),
+    ("crossing", "crossing.ply", "uncrossed.ply", "--direction=-0.5,-0.5,1.2"),
     ("ragged", "ragged.ply", "trimmed.ply", "--direction -0.2,-0.6,1"),
     ("no_data", "heights.ply", "heights_filled.ply", "--loop 1"),
+    ("union", "parts_half.ply", "one_body_half.ply", "--direction 0.35,-0.6,1"),
     ("bridge", "plates.ply", "one_plate.ply", "--direction 0.3,-1,0.8"),
     ("opening", "vase.ply", "vase_filled.ply", "--direction 0.1,-1,0.5"),
     ("invented", "pebble.ply", "patches.ply", "--direction 0.3,-0.8,1.2"),
 ]
+
+
+def half(run, folder, name):
+    """Writes the lower half of a closed surface: from outside, bodies that overlap look like one."""
+    run(f"loopmend fill {name}.ply -o {name}.off --quiet")
+    lines = (folder / f"{name}.off").read_text().splitlines()
+    vertices, faces, _ = map(int, lines[1].split())
+    points = [tuple(map(float, line.split()[:3])) for line in lines[2:2 + vertices]]
+    corners = [tuple(map(int, line.split()[1:4])) for line in lines[2 + vertices:2 + vertices + faces]]
+    write_ply(folder / f"{name}_half.ply", *cut((points, corners), lambda x, y, z: z > 0))
 
 
 def draw(program, target):
@@ -380,6 +391,8 @@ def draw(program, target):
         for block in re.findall(r"^```sh\n(.*?)^```", page, re.M | re.S):
             for line in block.splitlines():
                 run(line)
+        for name in ("parts", "one_body"):
+            half(run, folder, name)
         for picture, before, after, view in PICTURES:
             run(f"loopmend render {before} {after} --color plain --size 1000x420 {view} "
                 f"-o {Path(target).resolve() / f'case_{picture}.png'}")

@@ -21,6 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import make_cases  # noqa: E402
 
 COLORS = {"hole": "#b5095f", "outer rim": "#707070", "crack": "#1f6fb4", "cut": "#d9781a"}
+SCAN, INSIDE, PATCH = "#d6d0c8", "#a08d80", "#f0b878"
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 
@@ -28,12 +29,17 @@ def surface(path):
     return pyvista.read(path)
 
 
-def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 320)):
+def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 320), given=None):
+    """@param given  number of faces of the scan, where those behind them, the patch, get a color of their own"""
     plotter = pyvista.Plotter(off_screen=True, window_size=(2 * size[0], 2 * size[1]))
     plotter.set_background("white")
-    smooth = mesh.compute_normals(cell_normals=False, feature_angle=40, split_vertices=True)
-    plotter.add_mesh(smooth, color="#d6d0c8", ambient=0.25, specular=0.1, smooth_shading=not edges, show_edges=edges, edge_color="#57534e",
-                     line_width=2, backface_params={"color": "#55514d"})
+    look = {"ambient": 0.25, "specular": 0.1, "smooth_shading": not edges, "show_edges": edges, "edge_color": "#57534e", "line_width": 2}
+    if given is None:
+        smooth = mesh.compute_normals(cell_normals=False, feature_angle=40, split_vertices=True)
+        plotter.add_mesh(smooth, color=SCAN, backface_params={"color": INSIDE}, **look)
+    else:
+        for color, part in ((SCAN, range(given)), (PATCH, range(given, mesh.n_cells))):
+            plotter.add_mesh(mesh.extract_cells(part), color=color, **look)
     extent = np.ptp(np.array(mesh.bounds).reshape(3, 2), axis=1)
     for kind, points in loops:
         plotter.add_mesh(pyvista.lines_from_points(points, close=True).tube(radius=0.007 * extent.max()), color=COLORS[kind])
@@ -46,13 +52,17 @@ def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 
     return image
 
 
-def sheet(images, texts, path):
+def sheet(images, texts, path, columns):
+    """Captions are legible where the whole picture is 366 pixels wide, as on a telephone."""
     wide, high = images[0].size
-    made = Image.new("RGB", (wide * len(images), high + 42), "white")
-    pen, font = ImageDraw.Draw(made), ImageFont.truetype(FONT, 22)
+    font = ImageFont.truetype(FONT, round(0.03 * wide * columns))
+    head = round(1.7 * font.size)
+    made = Image.new("RGB", (wide * columns, (high + head) * -(-len(images) // columns)), "white")
+    pen = ImageDraw.Draw(made)
     for k, (image, text) in enumerate(zip(images, texts)):
-        made.paste(image, (k * wide, 42))
-        pen.text((k * wide + 10, 8), text, fill="#222222", font=font)
+        x, y = k % columns * wide, k // columns * (high + head)
+        made.paste(image, (x, y + head))
+        pen.text((x + 10, y + head // 5), text, fill="#222222", font=font)
     if "density" in path.name:  # thin lines need few colors
         made = made.quantize(64, dither=Image.Dither.NONE)
     made.save(path, optimize=True)
@@ -87,8 +97,8 @@ def fin():
 
 
 def kinds(program, folder, work):
-    shown = [("hole: filled", make_cases.pebble_with_hole, (0.3, -0.8, 1.2), 1.6), ("outer rim: left open", make_cases.mask, (0.9, -0.3, 1), 1.5),
-             ("crack: --stitch joins it", slit, (0.2, -1, 1.6), 1.5), ("cut: --repair separates it", fin, (0.6, -1, 1), 1.6)]
+    shown = [("hole", make_cases.pebble_with_hole, (0.3, -0.8, 1.2), 1.6), ("outer rim (grey)", make_cases.mask, (0.9, -0.3, 1), 1.5),
+             ("crack (blue)", slit, (0.2, -1, 1.6), 1.5), ("cut (orange)", fin, (0.6, -1, 1), 1.3)]
     images = []
     for text, model, view, zoom in shown:
         path = work / "model.ply"
@@ -98,18 +108,19 @@ def kinds(program, folder, work):
         loops = [(loop["kind"], np.array(points)[loop["vertices"]]) for loop in found["loops"]]
         print(text, [kind for kind, _ in loops])
         images.append(panel(surface(path), view, loops, zoom=zoom))
-    sheet(images, [text for text, *_ in shown], Path(folder) / "option_kinds.png")
+    sheet(images, [text for text, *_ in shown], Path(folder) / "option_kinds.png", 2)
 
 
 def density(program, folder, work):
     images, texts = [], []
     make_cases.write_ply(work / "pebble.ply", *make_cases.tidy(make_cases.cut(
         make_cases.pebble(4), lambda x, y, z: z > 0 and make_cases.ring_hole(x, y) < 1)))
+    given = surface(work / "pebble.ply").n_cells
     for ratio in (0.5, 1, 2):
         subprocess.run([program, "fill", work / "pebble.ply", "-o", work / "out.ply", "--quiet", "--density", str(ratio)], check=True)
-        images.append(panel(surface(work / "out.ply"), (0.1, -0.35, 1.2), edges=True, zoom=2.7))
-        texts.append(f"--density {ratio}" + (" (default)" if ratio == 1 else ""))
-    sheet(images, texts, Path(folder) / "option_density.png")
+        images.append(panel(surface(work / "out.ply"), (0.1, -0.2, 1.2), edges=True, zoom=2.05, given=given))
+        texts.append(f"{ratio}" + (" (default)" if ratio == 1 else ""))
+    sheet(images, texts, Path(folder) / "option_density.png", 3)
 
 
 def continuity(program, folder, work):
@@ -121,8 +132,8 @@ def continuity(program, folder, work):
         subprocess.run([program, "render", *(work / f"{word}.ply" for word in pair), "-o", work / "pair.png", "--color", "zebra", "--size", "1000x460",
                         "--direction", "0.1,-0.35,1.2"], check=True, stdout=subprocess.DEVNULL)
         both = Image.open(work / "pair.png").convert("RGB")
-        images += [both.crop((k * 500, 30, (k + 1) * 500, 460)) for k in (0, 1)]
-    sheet(images[:3], ["--continuity position", "--continuity tangent", "--continuity curvature (default)"], Path(folder) / "option_continuity.png")
+        images += [both.crop((k * 500, 51, (k + 1) * 500, 460)) for k in (0, 1)]
+    sheet(images[:3], ["position", "tangent", "curvature (default)"], Path(folder) / "option_continuity.png", 3)
 
 
 def main():

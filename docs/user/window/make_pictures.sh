@@ -11,7 +11,6 @@ set -euo pipefail
 build=$(cd "${1:?Usage: make_pictures.sh BUILD SCAN [FOLDER]}" && pwd)
 scan=$(realpath "${2:?Usage: make_pictures.sh BUILD SCAN [FOLDER]}")
 pictures=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/pictures
-gallery=$(cd "$pictures/../../../../resources/gallery" && pwd)
 folder=${3:-$(mktemp -d)}
 
 shoot() { # NAME SCALE SCREEN [dark]
@@ -24,12 +23,8 @@ if [[ -n ${3:-} ]]; then
   shoot light2 2 2800x1800
   shoot dark2 2 2800x1800 dark
 fi
-mkdir -p "$pictures" "$gallery"
+mkdir -p "$pictures"
 for name in window candidates holes patch running display zebra inspect compare region repair edges mirror likely_error; do
   cp "$folder/light/$name.png" "$pictures/$name.png"
-done
-for example in "$folder"/light/gallery_*.png; do
-  name=$(basename "$example")
-  cp "$example" "$gallery/${name#gallery_}"
 done
 echo "pictures of the help pages: $pictures; all: $folder"
