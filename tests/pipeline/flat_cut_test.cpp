@@ -51,6 +51,21 @@ TEST(FlatCut, IsTheEndOfATubeThatIsCutAtAnyAngle) {
       }
 }
 
+/// Its wall bends like half a ball at the base alone, and sweeps in above.
+TEST(FlatCut, IsTheBaseOfAStandingFigure) {
+  const auto foot = [](double z) {
+    return z > -0.45 ? std::sqrt(1 - z * z) : 0.3 + (std::sqrt(1 - 0.45 * 0.45) - 0.3) * std::exp(6 * (z + 0.45));
+  };
+  for (const int around : {64, 96})
+    for (const int rows : {40, 80}) {
+      const SurfaceModel figure = make_surface_model(make_revolution(foot, -2, 0, around, rows));
+      EXPECT_EQ(loop_end(figure, upper(figure)), LoopEnd::flat) << around << ' ' << rows;
+      const SurfaceModel ball =
+          make_surface_model(make_revolution([](double z) { return std::sqrt(1 - z * z); }, -0.9, 0, around, rows));
+      EXPECT_EQ(loop_end(ball, upper(ball)), LoopEnd::runs_on) << around << ' ' << rows;
+    }
+}
+
 /// Corners, and rows so wide that a wall has only two or three of them.
 TEST(FlatCut, IsTheTopOfAnOpenBoxAndTheEndOfAFewRows) {
   for (const int cells : {4, 8})
