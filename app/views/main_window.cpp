@@ -444,8 +444,8 @@ void MainWindow::offer_recovery() { files_->offer_recovery(); }
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
   const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
   const bool checked = check_.shut_down(at_most) && sides_.shut_down(at_most), reported = report_->shut_down(at_most);
-  const bool proposed = candidates_.shut_down(at_most);
-  return controller_.shut_down(at_most) && compared && tried && checked && reported && proposed;
+  const bool proposed = candidates_.shut_down(at_most), summed_up = batch_.shut_down(at_most);
+  return controller_.shut_down(at_most) && compared && tried && checked && reported && proposed && summed_up;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -465,6 +465,17 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!files_->may_close()) {
     event->ignore();
+    return;
+  }
+  if (batch_.busy() && !batch_.is_stopping()) {
+    event->ignore();
+    banner_->ask(tr("A folder is being filled. What is done stays, and the next run goes on there."),
+                 {{tr("&Stop and close"), "answerStop",
+                   [this] {
+                     batch_.stop();
+                     close();
+                   }},
+                  {tr("&Cancel"), "answerCancel", [] {}}});
     return;
   }
   controller_.cancel();
