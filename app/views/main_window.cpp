@@ -22,6 +22,7 @@
 #include "views/file_controller.h"
 #include "views/mesh_view.h"
 #include "views/piece_menu.h"
+#include "views/repair_preview.h"
 #include "views/report_writer.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
@@ -202,6 +203,8 @@ void MainWindow::connect_controller() {
   connect(&controller_, &FillController::notice, banner_, &Banner::show_notice);
   connect(&controller_, &FillController::repaired, banner_, &Banner::show_notice);
   connect(&controller_, &FillController::repair_questioned, this, &MainWindow::ask_about);
+  connect(&controller_, &FillController::repair_proposed, new RepairPreview(document_, *banner_, *view_, this),
+          &RepairPreview::show);
   connect(&controller_, &FillController::holes_made, &selection_, &HoleSelection::select);
   connect(&controller_, &FillController::logged, inspect_, &InspectPanel::log);
   connect(&autosave_, &Autosave::failed, banner_, &Banner::show_problem);
