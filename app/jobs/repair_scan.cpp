@@ -9,6 +9,7 @@
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/hand_bridge.h"
 #include "pipeline/scan_job.h"
+#include "repair/inverted_shells.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 
@@ -273,12 +274,17 @@ std::optional<RepairedScan> parted(const ScanRepairTask& task) {
                       NewPoints{}};
 }
 
-/// What `fill --turn-around` does first.
+/// What looks inward; where nothing does, everything, as `fill --turn-around` does.
 RepairedScan turned_around(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
+  const std::vector<char> inside_out = faces_inside_out(*old.model, old.loops);
   TriangleSoup soup = as_read(*old.model);
-  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
-  const int count = static_cast<int>(soup.triangles.size());
+  int count = 0;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    if (!inside_out.empty() && !inside_out[f]) continue;
+    std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+    ++count;
+  }
   return {
       task.scan, made_scan(std::move(soup), old.name, old.origin), FillController::tr("Turn %1 around").arg(old.name),
       FillController::tr("%1: %Ln face(s) were turned around; Ctrl+Z takes it back.", nullptr, count).arg(old.name)};
