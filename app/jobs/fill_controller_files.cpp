@@ -369,7 +369,17 @@ void FillController::export_to(const QString& path, const ExportChoice& choice) 
   tasks_.run(
       job,
       [this, job, task = export_task(document_, file_path(path), choice)] {
-        return writing_.take(*job, [&] { return export_scene(task, job->token()); });
+        static constexpr int parts = 200;  // of the bar
+        int told = -1;
+        const auto tell = [&](double share) {
+          const int part = static_cast<int>(parts * share);
+          if (std::exchange(told, part) == part) return;
+          job->post([this, share, part] {
+            Q_EMIT progress_changed(part, parts);
+            Q_EMIT share_done(share);
+          });
+        };
+        return writing_.take(*job, [&] { return export_scene(task, job->token(), tell); });
       },
       [this, path, content = choice.content](const ExportResult& result) { on_exported(result, path, content); },
       [this](const QString& text) { give_up(text); });

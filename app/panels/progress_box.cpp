@@ -37,6 +37,11 @@ ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(
     since_estimate_.start();
     show_left();
   });
+  connect(&controller_, &FillController::seconds_left, this, [this](double seconds) {
+    seconds_left_ = seconds;
+    since_estimate_.start();
+    show_left();
+  });
   each_second_.setInterval(1000);
   connect(&each_second_, &QTimer::timeout, this, &ProgressBox::show_left);
   update_state();
@@ -83,8 +88,9 @@ void ProgressBox::update_state() {
   show_left();
 }
 
-/// Counts down between two reports; shows nothing once the estimate has run out.
+/// Counts down between two reports; shows nothing at first, and once the estimate has run out.
 void ProgressBox::show_left() {
+  if (static_cast<double>(since_start_.elapsed()) / 1000 < least_seconds_told) return left_->clear();
   const double since_then = static_cast<double>(since_estimate_.elapsed()) / 1000;
   left_->setText(labels::time_left(seconds_left_ ? *seconds_left_ - since_then : 0));
 }
