@@ -6,6 +6,7 @@
 #include "pipeline/judge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -69,9 +70,13 @@ std::optional<NoticeCode> notice_code_of(const std::string& word) {
 Message sentence_of(const nlohmann::json& verdict) {
   const std::string sentence = verdict.at("sentence").get<std::string>();
   Verdict found;
-  for (const nlohmann::json& finding : verdict.at("findings"))
-    if (const auto code = notice_code_of(finding.at("code").get<std::string>()))
-      found.findings.push_back({*code, finding.at("arguments").get<std::vector<double>>()});
+  for (const nlohmann::json& finding : verdict.at("findings")) {
+    const auto code = notice_code_of(finding.at("code").get<std::string>());
+    if (!code) continue;
+    Notice& notice = found.findings.emplace_back(Notice{*code, {}});
+    for (const nlohmann::json& argument : finding.at("arguments"))  // JSON has null for what is no number
+      notice.arguments.push_back(argument.is_number() ? argument.get<double>() : std::nan(""));
+  }
   Message message = found.message();
   return message.english() == sentence ? message : Message{sentence, {}, {}, false};
 }
