@@ -16,7 +16,8 @@ struct ChildEnd {
 };
 
 /// Runs from its construction on. Its standard output goes nowhere. It ends when this process dies, of whatever,
-/// where the system lets that be asked for: on Linux by SIGTERM, also at the end of the thread that made it; on Windows at once.
+/// where the system lets that be asked for: on Linux by SIGTERM, also at the end of the thread that made it; on Windows
+/// at once.
 class Child {
  public:
   /// @param program    its file; empty: this program once more

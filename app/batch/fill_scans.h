@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fills many scans, several at once, each by a `loopmend fill` of its own, and writes one summary. `loopmend batch` and the window
-// both call this.
+// Fills many scans, several at once, each by a `loopmend fill` of its own, and writes one summary. `loopmend batch` and the
+// window both call this.
 #pragma once
 
 #include "scan_runs.h"

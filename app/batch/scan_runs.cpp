@@ -2,11 +2,11 @@
 #include "scan_runs.h"
 
 #include "child.h"
-#include "cli/exit_codes.h"
 #include "core/error.h"
 #include "core/path_text.h"
 #include "core/system_memory.h"
 #include "core/threads.h"
+#include "exit_codes.h"
 
 #include <algorithm>
 #include <chrono>

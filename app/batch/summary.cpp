@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "summary.h"
 
-#include "cli/exit_codes.h"
 #include "core/path_text.h"
+#include "exit_codes.h"
 #include "pipeline/judge.h"
 
 #include <algorithm>

@@ -75,8 +75,10 @@ void BatchDialog::build() {
   for (QPushButton* button : {start_, stop_, report_, copy_}) buttons->addButton(button, QDialogButtonBox::ActionRole);
   connect(start_, &QPushButton::clicked, this, &BatchDialog::start);
   connect(stop_, &QPushButton::clicked, this, &BatchDialog::stop);
-  connect(report_, &QPushButton::clicked, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(words_of_path(result_files(job().output).page))); });
+  connect(report_, &QPushButton::clicked, this, [this] {
+    const QString page = words_of_path(result_files(job().output).page);
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(page))) words_->setText(page);  // there is no browser
+  });
   connect(copy_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(buttons, &QDialogButtonBox::rejected, this, &BatchDialog::reject);
   layout->addWidget(buttons);

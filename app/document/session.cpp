@@ -156,9 +156,9 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 
 namespace {
 
-void read_timeline(SessionReader& in, SessionPatch& patch) {
+/// @param size  of all recorded states that were read, bytes of memory: a file may need few for many
+void read_timeline(SessionReader& in, SessionPatch& patch, std::size_t& size) {
   constexpr std::size_t most_states = 10000, most_in_memory = std::size_t{1} << 30;
-  std::size_t size = 0;
   int present = 0;
   in.list(patch.timeline, sizeof(qint32), [&](PatchStatePtr& state) {
     bool is_present = false;
@@ -195,6 +195,7 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
     check(in, *surface);
     scan.made = surface;
   });
+  std::size_t size = 0;
   in.list(session.patches, sizeof(quint64), [&](SessionPatch& patch) {
     in.whole(patch.scan);
     if (patch.scan < 0 || patch.scan >= static_cast<int>(session.scans.size()))
@@ -204,7 +205,7 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
     patch.state = read_state(in);
     if (patch.loop_numbers.size() != patch.state->patch.loops.size())
       in.fail(say("the loops of a patch are not complete"));
-    read_timeline(in, patch);
+    read_timeline(in, patch, size);
   });
   bool has_view = false;
   in.flag(has_view);

@@ -187,8 +187,8 @@ QString find_scans(std::vector<SessionScan>& scans, const SessionFile& file) {
                   say("Open the scan itself instead; the session file is damaged."));
 }
 
-/// With its loops and its surface as they belong to the scan. @param path  of the session, for errors. @param budget  of its timeline,
-/// bytes
+/// With its loops and its surface as they belong to the scan. @param path  of the session, for errors.
+/// @param budget  of its timeline, bytes
 OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, const Vec3& origin, const QString& path,
                          std::size_t budget) {
   OpenPatch patch;
