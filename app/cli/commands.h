@@ -2,12 +2,12 @@
 // The commands of `loopmend`: options as the person gave them, and one function each that does the work.
 #pragma once
 
-#include "core/error.h"
 #include "export/write_scan.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "pipeline/scan_job.h"
 #include "progress_line.h"
+#include "usage_error.h"
 
 #include <filesystem>
 #include <optional>
@@ -17,13 +17,6 @@
 namespace loopmend {
 
 struct RenderOptions;
-
-/// Wrong usage that only shows once the input is read: exit code 2.
-class UsageError : public Error {
- public:
-  explicit UsageError(std::string_view text) : Error(verbatim(text)) {}  // the command line speaks English
-  using Error::Error;
-};
 
 /// What is said of the loops of a mesh with very many: counts and the largest, or each.
 enum class Detail { summary, all };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dispatch.h"
 
-#include "batch/batch_command.h"
+#include "batch_command.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "fill_words.h"
@@ -223,9 +223,8 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("sample")) return run_sample(sample_output);
   if (app.got_subcommand("render")) return run_render(render);
   if (app.got_subcommand("batch")) {
-    if (batch.prepare == BatchCommand::Prepare::where_needed) batch.fill_options.emplace_back("--auto");
-    if (own_words < argc) batch.fill_options.insert(batch.fill_options.end(), argv + own_words + 1, argv + argc);
-    batch.command_line = quoted_command_line(argc, argv);
+    if (own_words < argc) batch.job.fill_options.assign(argv + own_words + 1, argv + argc);
+    batch.job.command_line = quoted_command_line(argc, argv);
     return run_batch(batch, check_fill_options);
   }
   fill.job.fill.threads = affordable_threads(fill.job.fill.threads);

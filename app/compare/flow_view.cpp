@@ -78,6 +78,7 @@ FlowView::FlowView(int number, PictureClock& clock, QWidget* parent)
   swatch_->setFixedSize(10, 16);
   figures_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   figures_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  figures_->installEventFilter(this);
   accept_->setFocusPolicy(Qt::TabFocus);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(6, 2, 2, 2);
@@ -128,12 +129,31 @@ void FlowView::show_flow_run(const ComparedRun& flow_run, const QString& accepti
                                        .arg(labels::number(seam.angle), labels::number(seam.jump));
   }
   if (!flow_run.message.empty()) in_full += QLatin1Char('\n') + labels::sentence(labels::in_words(flow_run.message));
-  figures_->setText(words_);
+  fit_figures();
   figures_->setToolTip(in_full);
+  figures_->setAccessibleDescription(in_full);
   can_accept_ = !accepting.isEmpty() && flow_run.stage != ComparedRun::Stage::start &&
                 flow_run.stage != ComparedRun::Stage::moving;
   accept_->setToolTip(accepting.isEmpty() ? tr("Run the flows first") : accepting);
   canvas_->show_patch(0, flow_run.shape, arrival_of(flow_run));
+}
+
+/// As many whole figures as there is room for; the tooltip has all.
+void FlowView::fit_figures() {
+  const QString between = QStringLiteral(" \u00b7 "), more = QStringLiteral(" \u2026");
+  const QFontMetrics letters = figures_->fontMetrics();
+  QStringList parts = words_.split(between);
+  QString text = words_;
+  while (letters.horizontalAdvance(text) > figures_->width() && parts.size() > 1) {
+    parts.removeLast();
+    text = parts.join(between) + more;
+  }
+  figures_->setText(letters.elidedText(text, Qt::ElideRight, figures_->width()));
+}
+
+bool FlowView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == figures_ && event->type() == QEvent::Resize) fit_figures();
+  return QWidget::eventFilter(watched, event);
 }
 
 QString FlowView::caption() const { return flow_->currentText() + QStringLiteral("   ") + words_; }

@@ -36,9 +36,11 @@ class FlowView : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void update_swatch();
+  void fit_figures();
 
   QComboBox* flow_;
   QLabel *swatch_, *figures_;

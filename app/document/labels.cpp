@@ -215,6 +215,13 @@ QString number(double value) {
   return in_digits(value, 'f', decimals);
 }
 
+QString time_left(double seconds) {
+  constexpr double minute = 60, most_in_seconds = 90;
+  if (seconds < 1) return {};
+  return seconds < most_in_seconds ? tr("about %1 s left").arg(static_cast<int>(std::ceil(seconds)))
+                                   : tr("about %1 min left").arg(static_cast<int>(std::lround(seconds / minute)));
+}
+
 QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage, Grade grade) {
   if (std::isnan(now.g1_rms_deg)) return tr("The scan around the hole is too small for its seam to be measured.");
   const bool tangent = now.g1_rms_deg < tangent_seen_deg;

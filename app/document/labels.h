@@ -39,6 +39,8 @@ QString length(const Document& document, double value);
 
 /// With one decimal place, without a unit.
 QString seconds(qint64 milliseconds);
+/// "about 12 s left"; empty where less than a second is.
+QString time_left(double seconds);
 
 /// One sentence on how the patch meets the scan at a loop.
 QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStatus stage, Grade grade);

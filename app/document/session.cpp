@@ -5,6 +5,7 @@
 #include "document/document.h"
 #include "document/file_path.h"
 #include "document/session_patch.h"
+#include "document/timeline.h"
 #include "io/atomic_file.h"
 
 #include <QDir>
@@ -17,7 +18,7 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr int format_version = 13;  ///< no other one is read
+constexpr int format_version = 14;  ///< no other one is read
 
 void fields(auto& stream, Is<ColorRange> auto& range) {
   stream.word(range.rule, ColorRange::Rule::percentile_each);
@@ -74,9 +75,31 @@ QString found(const QString& absolute, const QString& relative, const QString& s
   return absolute;
 }
 
+std::size_t bytes_recorded(const Session& session) {
+  std::size_t sum = 0;
+  for (const SessionPatch& patch : session.patches)
+    for (const PatchStatePtr& state : patch.timeline)
+      if (state != patch.state) sum += size_beside(*state, *patch.state);
+  return sum;
+}
+
+/// Within a bound. The state that a patch is in stays in its timeline.
+void thin_timelines(Session& session, std::size_t most) {
+  while (bytes_recorded(session) > most) {
+    bool any = false;
+    for (SessionPatch& patch : session.patches) {
+      Timeline fewer = thinned(patch.timeline, patch.state);
+      any = any || fewer.size() < patch.timeline.size();
+      patch.timeline = std::move(fewer);
+    }
+    if (any) continue;
+    for (SessionPatch& patch : session.patches) patch.timeline.clear();
+  }
+}
+
 }  // namespace
 
-Session session_of(const Document& document, const ViewSource& view) {
+Session session_of(const Document& document, const ViewSource& view, std::size_t recorded) {
   Session session;
   if (view) session.view = view();
   std::map<int, int> place;
@@ -92,10 +115,12 @@ Session session_of(const Document& document, const ViewSource& view) {
     session.scans.push_back(std::move(entry));
   }
   for (const OpenPatch& patch : document.patches()) {
-    SessionPatch entry{place.at(patch.scan), {}, patch.state, patch.acceptance};
+    SessionPatch entry{place.at(patch.scan), {}, patch.state, patch.acceptance, {}};
+    if (patch.timeline->size() > 1) entry.timeline = *patch.timeline;
     for (int loop : patch.loops) entry.loop_numbers.push_back(document.loop(loop).number);
     session.patches.push_back(std::move(entry));
   }
+  thin_timelines(session, recorded);
   return session;
 }
 
@@ -118,6 +143,10 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
     out.array(patch.loop_numbers);
     out.word(patch.acceptance, Acceptance::accepted);
     put(out, *patch.state);
+    out.list(patch.timeline, 0, [&](const PatchStatePtr& state) {
+      out.flag(state == patch.state);
+      if (state != patch.state) put_beside(out, *state, *patch.state);
+    });
   });
   out.flag(session.view.has_value());
   if (session.view) fields(out, *session.view);
@@ -126,6 +155,22 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
 }
 
 namespace {
+
+/// @param size  of all recorded states that were read, bytes of memory: a file may need few for many
+void read_timeline(SessionReader& in, SessionPatch& patch, std::size_t& size) {
+  constexpr std::size_t most_states = 10000, most_in_memory = std::size_t{1} << 30;
+  int present = 0;
+  in.list(patch.timeline, sizeof(qint32), [&](PatchStatePtr& state) {
+    bool is_present = false;
+    in.flag(is_present);
+    present += is_present;
+    state = is_present ? patch.state : read_state_beside(in, *patch.state);
+    size += size_of(*state);
+    if (patch.timeline.size() > most_states || size > most_in_memory)
+      in.fail(say("there are more recorded states than there should be"));
+  });
+  if (present != (patch.timeline.empty() ? 0 : 1)) in.fail(say("the recorded states of a patch are not complete"));
+}
 
 Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   constexpr int magic_size = sizeof magic - 1;
@@ -150,6 +195,7 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
     check(in, *surface);
     scan.made = surface;
   });
+  std::size_t size = 0;
   in.list(session.patches, sizeof(quint64), [&](SessionPatch& patch) {
     in.whole(patch.scan);
     if (patch.scan < 0 || patch.scan >= static_cast<int>(session.scans.size()))
@@ -159,6 +205,7 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
     patch.state = read_state(in);
     if (patch.loop_numbers.size() != patch.state->patch.loops.size())
       in.fail(say("the loops of a patch are not complete"));
+    read_timeline(in, patch, size);
   });
   bool has_view = false;
   in.flag(has_view);

@@ -33,6 +33,7 @@ struct SessionPatch {
   std::vector<int> loop_numbers;  ///< BoundaryLoop::number, in the order of state.patch.loops
   PatchStatePtr state;            ///< `shape` is not stored
   Acceptance acceptance = Acceptance::pending;
+  Timeline timeline;  ///< recorded states, with `state` among them; empty: that alone
 };
 
 struct SessionView {
@@ -52,8 +53,15 @@ struct Session {
 enum class KeepScans { outside, inside };
 
 class Document;
+/// How many bytes recorded states may take in a session, and in the copy that survives a crash, which is written again and
+/// again.
+inline constexpr std::size_t most_recorded = std::size_t{64} << 20;
+inline constexpr std::size_t most_recorded_in_copy = std::size_t{16} << 20;
+
 /// As it is now; `view` may be empty. States are shared, so this is fast, and a worker may write it while the window goes on.
-Session session_of(const Document& document, const ViewSource& view);
+/// @param recorded  bytes: above, each timeline gives up every second one of its inner states, as often as needed, and
+/// then all but the present one
+Session session_of(const Document& document, const ViewSource& view, std::size_t recorded = most_recorded);
 
 /// @param beside  folder of the file: paths are stored relative to it as well, so that both can move together.
 QByteArray to_bytes(const Session& session, const QString& beside);

@@ -87,8 +87,8 @@ void fields(auto& stream, Is<Verdict> auto& verdict) {
   });
 }
 
+/// All but its patch.
 void fields(auto& stream, Is<PatchState> auto& state) {
-  fields(stream, state.patch);
   stream.word(state.status, PatchStatus::step_limit);
   fields(stream, state.message);
   fields(stream, state.recipe);
@@ -178,21 +178,87 @@ void check(const SessionReader& in, const PatchRecipe& recipe) {
 
 }  // namespace
 
-void put(SessionWriter& out, const PatchState& state) { fields(out, state); }
+namespace {
+
+/// What is read of the state fits its patch.
+void check(const SessionReader& in, const PatchState& state) {
+  check(in, state.recipe);
+  if (state.seams.size() != state.patch.loops.size() || state.seams_before.size() != state.seams.size())
+    in.fail(say("the seams of a patch are not complete"));
+  if (!state.verdicts.empty() && state.verdicts.size() != state.seams.size())
+    in.fail(say("the verdicts of a patch are not complete"));
+  if (!state.deviation.vertices.empty() &&
+      state.deviation.vertices.size() != static_cast<std::size_t>(state.patch.free_count))
+    in.fail(say("the likely errors of a patch are not complete"));
+}
+
+/// Whether they differ by their free vertices alone.
+bool has_same_mesh(const Patch& a, const Patch& b) {
+  return a.free_count == b.free_count && a.patch_triangles == b.patch_triangles && a.scale == b.scale &&
+         a.center == b.center && a.positions.size() == b.positions.size() && a.ring == b.ring &&
+         a.view_vertex == b.view_vertex && a.loops == b.loops && a.loop_numbers == b.loop_numbers &&
+         a.triangles == b.triangles &&
+         std::equal(a.positions.begin() + a.free_count, a.positions.end(), b.positions.begin() + b.free_count);
+}
+
+}  // namespace
+
+void put(SessionWriter& out, const PatchState& state) {
+  fields(out, state.patch);
+  fields(out, state);
+}
 
 PatchStatePtr read_state(SessionReader& in) {
   auto s = std::make_shared<PatchState>();
-  fields(in, *s);
+  fields(in, s->patch);
   check(in, s->patch);
-  check(in, s->recipe);
+  fields(in, *s);
+  check(in, *s);
   s->patch.grading.density = s->recipe.density;
-  if (s->seams.size() != s->patch.loops.size() || s->seams_before.size() != s->seams.size())
-    in.fail(say("the seams of a patch are not complete"));
-  if (!s->verdicts.empty() && s->verdicts.size() != s->seams.size())
-    in.fail(say("the verdicts of a patch are not complete"));
-  if (!s->deviation.vertices.empty() && s->deviation.vertices.size() != static_cast<std::size_t>(s->patch.free_count))
-    in.fail(say("the likely errors of a patch are not complete"));
   return s;
+}
+
+void put_beside(SessionWriter& out, const PatchState& state, const PatchState& present) {
+  const bool is_alike = has_same_mesh(state.patch, present.patch);
+  out.flag(is_alike);
+  if (is_alike)
+    out.array(Points(state.patch.positions.begin(), state.patch.positions.begin() + state.patch.free_count));
+  else
+    fields(out, state.patch);
+  fields(out, state);
+}
+
+PatchStatePtr read_state_beside(SessionReader& in, const PatchState& present) {
+  auto s = std::make_shared<PatchState>();
+  bool is_alike = false;
+  in.flag(is_alike);
+  if (is_alike) {
+    Points free;
+    in.array(free);
+    s->patch = present.patch;
+    if (free.size() != static_cast<std::size_t>(present.patch.free_count))
+      in.fail(say("the vertices of a recorded state are not complete"));
+    std::copy(free.begin(), free.end(), s->patch.positions.begin());
+  } else {
+    fields(in, s->patch);
+    if (s->patch.loop_numbers != present.patch.loop_numbers)
+      in.fail(say("a recorded state is not of the loops of its patch"));
+  }
+  check(in, s->patch);
+  fields(in, *s);
+  check(in, *s);
+  s->patch.grading.density = s->recipe.density;
+  return s;
+}
+
+std::size_t size_beside(const PatchState& state, const PatchState& present) {
+  constexpr std::size_t of_figures = 500;
+  const Patch& patch = state.patch;
+  const std::size_t of_errors = state.deviation.vertices.size() * sizeof(state.deviation.vertices.front());
+  if (has_same_mesh(patch, present.patch))
+    return of_figures + of_errors + static_cast<std::size_t>(patch.free_count) * sizeof(Vec3);
+  return of_figures + of_errors + patch.positions.size() * (sizeof(Vec3) + 2 * sizeof(int)) +
+         patch.triangles.size() * sizeof(Triangle);
 }
 
 }  // namespace loopmend

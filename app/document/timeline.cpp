@@ -17,14 +17,14 @@ std::size_t size_of(const Timeline& timeline) {
                          [](std::size_t sum, const PatchStatePtr& state) { return sum + size_of(*state); });
 }
 
-Timeline thinned(const Timeline& timeline) {
-  Timeline kept;
-  for (std::size_t i = 0; i < timeline.size(); ++i)
-    if (i % 2 == 0 || i + 1 == timeline.size()) kept.push_back(timeline[i]);
-  return kept;
-}
-
 }  // namespace
+
+Timeline thinned(const Timeline& timeline, const PatchStatePtr& kept) {
+  Timeline fewer;
+  for (std::size_t i = 0; i < timeline.size(); ++i)
+    if (i % 2 == 0 || i + 1 == timeline.size() || timeline[i] == kept) fewer.push_back(timeline[i]);
+  return fewer;
+}
 
 std::size_t size_of(const PatchState& state) {
   std::size_t sum = sizeof(PatchState) + bytes(state.patch.positions) + bytes(state.patch.triangles) +
@@ -42,16 +42,20 @@ std::size_t place_in(const Timeline& timeline, const PatchStatePtr& state) {
   return found == timeline.end() ? timeline.size() - 1 : static_cast<std::size_t>(found - timeline.begin());
 }
 
+Timeline within(Timeline timeline, const PatchStatePtr& kept, std::size_t budget) {
+  while (timeline.size() > 2 && size_of(timeline) > budget) {
+    Timeline fewer = thinned(timeline, kept);
+    if (fewer.size() == timeline.size()) break;
+    timeline = std::move(fewer);
+  }
+  return timeline;
+}
+
 TimelinePtr extended(const Timeline& timeline, const PatchStatePtr& now, const std::vector<PatchStatePtr>& more,
                      std::size_t budget) {
   Timeline next(timeline.begin(), timeline.begin() + static_cast<std::ptrdiff_t>(place_in(timeline, now)) + 1);
   next.insert(next.end(), more.begin(), more.end());
-  while (next.size() > 2 && size_of(next) > budget) {
-    Timeline fewer = thinned(next);
-    if (fewer.size() == next.size()) break;
-    next = std::move(fewer);
-  }
-  return std::make_shared<Timeline>(std::move(next));
+  return std::make_shared<Timeline>(within(std::move(next), nullptr, budget));
 }
 
 }  // namespace loopmend

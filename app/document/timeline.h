@@ -12,6 +12,12 @@ TimelinePtr start_timeline(PatchStatePtr first);
 /// Where `state` stands; the last place if it is not recorded.
 std::size_t place_in(const Timeline& timeline, const PatchStatePtr& state);
 
+/// Without every second one of its inner states; the first, the last and `kept` stay.
+Timeline thinned(const Timeline& timeline, const PatchStatePtr& kept);
+
+/// Thinned as often as needed to take at most `budget` bytes of memory.
+Timeline within(Timeline timeline, const PatchStatePtr& kept, std::size_t budget);
+
 /// The timeline up to `now`, then `more`. Above `budget` bytes every second one of the inner states is forgotten, as
 /// often as needed; the first and the last stay.
 TimelinePtr extended(const Timeline& timeline, const PatchStatePtr& now, const std::vector<PatchStatePtr>& more,

@@ -57,7 +57,7 @@ void Autosave::write() {
   }
   drop(job_);
   job_ = std::make_shared<Job>(this);
-  const auto work = [this, job = job_, session = session_of(document_, view_), path = path_] {
+  const auto work = [this, job = job_, session = session_of(document_, view_, most_recorded_in_copy), path = path_] {
     const bool whole = writing_.take(*job, [&] {
       write_session(session, path, job->token());
       return true;

@@ -157,16 +157,13 @@ std::vector<int> changed_faces(const TriangleSoup& before, const TriangleSoup& a
   return changed;
 }
 
-DefectPlaces find_defect_places(const std::vector<std::shared_ptr<const OpenedScan>>& scans, Defect defect,
-                                const Vec3& origin, const CancelToken& cancel) {
+DefectPlaces mark_faces(const std::vector<FacesToChange>& changes, const Vec3& origin) {
   constexpr double apart = 2e-4;  // of the extent
   DefectPlaces result;
   TriangleSoup marked;
-  for (const auto& scan : scans) {
-    const TriangleSoup& soup = scan->model->soup;
-    const RepairedSurface repaired = repair_surface(soup, {defect}, cancel);
-    if (cancel.cancelled()) return {};
-    std::vector<int> faces = changed_faces(soup, repaired.soup);
+  for (const FacesToChange& change : changes) {
+    const TriangleSoup& soup = change.scan->model->soup;
+    std::vector<int> faces = change.faces;
     const std::vector<int> place = Places().of(soup.points);
     add_around_invisible(soup, place, faces);
     const std::vector<DefectPlace> own = places_of(soup, place, faces);
@@ -183,6 +180,17 @@ DefectPlaces find_defect_places(const std::vector<std::shared_ptr<const OpenedSc
     shape->colors.insert(shape->colors.end(), warning.begin(), warning.end());
   result.shape = std::move(shape);
   return result;
+}
+
+DefectPlaces find_defect_places(const std::vector<std::shared_ptr<const OpenedScan>>& scans, Defect defect,
+                                const Vec3& origin, const CancelToken& cancel) {
+  std::vector<FacesToChange> changes;
+  for (const auto& scan : scans) {
+    const RepairedSurface repaired = repair_surface(scan->model->soup, {defect}, cancel);
+    if (cancel.cancelled()) return {};
+    changes.push_back({scan, changed_faces(scan->model->soup, repaired.soup)});
+  }
+  return mark_faces(changes, origin);
 }
 
 }  // namespace loopmend

@@ -28,6 +28,15 @@ struct DefectPlaces {
 /// @param after  made of `before` by repair_surface()
 std::vector<int> changed_faces(const TriangleSoup& before, const TriangleSoup& after);
 
+/// Faces of a scan's soup that would be removed or changed; ascending.
+struct FacesToChange {
+  std::shared_ptr<const OpenedScan> scan;
+  std::vector<int> faces;
+};
+
+/// @param origin  of the scene
+DefectPlaces mark_faces(const std::vector<FacesToChange>& changes, const Vec3& origin);
+
 /// What repair_surface() would remove or change if this defect were the only one to be repaired.
 /// @param origin  of the scene
 DefectPlaces find_defect_places(const std::vector<std::shared_ptr<const OpenedScan>>& scans, Defect defect,

@@ -97,7 +97,8 @@ ExportTask export_task(const Document& document, const std::filesystem::path& pa
   return task;
 }
 
-ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
+ExportResult export_scene(const ExportTask& task, const CancelToken& cancel,
+                          const std::function<void(double)>& painted) {
   const bool is_labelled =
       task.choice.new_faces == NewFaces::labelled || task.choice.deviations == ExportChoice::Deviations::written;
   if (is_labelled && task.parts.size() > 1)
@@ -106,6 +107,7 @@ ExportResult export_scene(const ExportTask& task, const CancelToken& cancel) {
   std::vector<TriangleSoup> soups;
   WriteScanOptions options;
   options.new_faces = task.choice.new_faces;
+  options.on_painted = painted;
   for (const ExportTask::Part& part : task.parts) {
     if (cancel.cancelled()) return result;
     std::vector<double> deviations;

@@ -7,6 +7,7 @@
 #include "io/not_kept.h"
 
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -50,6 +51,8 @@ TriangleSoup plain_surface(const ExportTask& task);
 
 /// @throws WriteError; InvalidArgument for labels on several scans: one file cannot keep the rows of several scans apart from new ones.
 /// @returns without a file when cancelled.
-ExportResult export_scene(const ExportTask& task, const CancelToken& cancel);
+/// @param painted  gets the share of the patches that a picture is painted for, 0..1; may be empty
+ExportResult export_scene(const ExportTask& task, const CancelToken& cancel,
+                          const std::function<void(double)>& painted = {});
 
 }  // namespace loopmend

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/message_words.h"
+#include "jobs/remaining_time.h"
 #include "jobs/state_making.h"
 
 #include <QTimer>
@@ -16,7 +17,8 @@ namespace loopmend {
 FillController::FillController(Document& document, UndoHistory& undo, QObject* parent)
     : QObject(parent),
       document_(document),
-      undo_(undo) {}
+      undo_(undo),
+      seconds_per_vertex_(seconds_of_a_vertex) {}
 
 JobPtr FillController::begin(Activity activity, const QString& stage) {
   drop_fill_preview();
@@ -168,6 +170,11 @@ void FillController::start_fill(FillRequest request) {
         Q_EMIT share_done(share);
       });
     };
+  const bool is_timed = total == 1 && request.pace == Pace::steady;
+  if (is_timed) {
+    run.seconds_per_vertex = seconds_per_vertex_;
+    run.expects = [this, job](double seconds) { job->post([this, seconds] { Q_EMIT seconds_left(seconds); }); };
+  }
   std::function<void()> wake;  // where no flow follows, all appear at once
   if (flows)
     wake = [this, job, wait = total > most_live ? 1000 : 0] {
@@ -180,11 +187,23 @@ void FillController::start_fill(FillRequest request) {
   recorder_ = std::make_shared<RunRecorder>(std::move(wake));
   tasks_.run(
       job, [job, run = std::move(run), recorder = recorder_] { return fill_patches(run, *recorder, *job); },
-      [this](const FillOutcome& outcome) { on_run_ended(outcome); },
+      [this, job, timed = is_timed && flows ? loops : std::set<int>()](const FillOutcome& outcome) {
+        const double seconds = static_cast<double>(clock_.elapsed()) / 1000;
+        on_run_ended(outcome);
+        if (!job->asked_to_pause()) note_time(timed, seconds);
+      },
       [this](const QString& text) {
         on_run_ended({});
         report_failure(text);
       });
+}
+
+/// The next estimate is made of it.
+void FillController::note_time(const std::set<int>& loops, double seconds) {
+  constexpr int least_vertices = 2000;  // a smaller patch tells of other things
+  for (int loop : loops)
+    if (const OpenPatch* patch = document_.patch_of(loop); patch && patch->state->patch.free_count >= least_vertices)
+      seconds_per_vertex_ = seconds / patch->state->patch.free_count;
 }
 
 void FillController::preview_fill(const std::set<int>& loops, const FillChoice& choice) {

@@ -45,9 +45,10 @@ enum class ScanRepair {
   bridge,         ///< --bridge A,B: a strip parts a hole into two, or joins two
   erase,          ///< faces that were painted go
   part,           ///< what hangs at a boundary by a vertex alone becomes an island
-  turn_around,    ///< --turn-around: every face looks the other way
+  turn_around,  ///< what looks inward looks outward; where nothing does, as --turn-around, every face looks the other way
 };
 
+struct DefectPlaces;
 struct RepairedScan;
 struct ScanRepairTask;
 
@@ -57,6 +58,8 @@ struct RepairQuestion {
   int patches = 0;                          ///< that would be lost
   std::size_t loops_before = 0, loops = 0;  ///< boundary loops of the scans
   std::function<void()> apply;
+  QString proposal{};                            ///< what would be done, in words
+  std::shared_ptr<const DefectPlaces> places{};  ///< what would change, with a proposal
 };
 
 /// How holes are filled.
@@ -118,7 +121,7 @@ class FillController : public QObject {
   void preview_fill(const std::set<int>& loops, const FillChoice& choice);
   void drop_fill_preview();
   /// Each scan that has one of these loops, or all scans where there are none, is replaced by a repaired one without patches; can
-  /// be undone. Where there is nothing to repair, a notice says so.
+  /// be undone. A trim or a stitch is proposed first. Where there is nothing to repair, a notice says so.
   void repair_scans(ScanRepair what, const std::set<int>& loops);
   /// ScanRepair::repair of these defects, in all scans.
   void repair(const std::set<Defect>& defects);
@@ -160,6 +163,7 @@ class FillController : public QObject {
   void stage_changed(const QString& words);
   void progress_changed(int done, int total);  ///< total 0: not known
   void share_done(double share);               ///< of the work, 0..1; only where it is known
+  void seconds_left(double seconds);           ///< an estimate where no share is known
   void flow_ended(RunEnd end);
   void preview_ready(SurfaceShapePtr shape);
   void preview_dropped();
@@ -169,6 +173,8 @@ class FillController : public QObject {
   void filled(const std::set<int>& loops);
   /// Patches would be lost, or many holes made; without an answer nothing changes.
   void repair_questioned(const RepairQuestion& question);
+  /// A trim or a stitch is computed; without an answer nothing changes.
+  void repair_proposed(const RepairQuestion& question);
   void repaired(const QString& words);   ///< what was done to scans
   void left_open(const QString& words);  ///< holes that could not be filled
   void failed(const QString& words);
@@ -210,7 +216,11 @@ class FillController : public QObject {
   /// The job has failed.
   void give_up(const QString& text);
   void run_repair(ScanRepair what, std::vector<ScanRepairTask> tasks, const std::optional<FillAndSmooth>& then = {});
-  void on_repaired(const std::vector<RepairedScan>& all, ScanRepair what, const std::optional<FillAndSmooth>& then);
+  struct Repairs {
+    std::vector<RepairedScan> scans;
+    std::shared_ptr<const DefectPlaces> places;  ///< where it is shown before it is done
+  };
+  void on_repaired(const Repairs& repairs, ScanRepair what, const std::optional<FillAndSmooth>& then);
   void apply_repaired(const std::vector<RepairedScan>& all, ScanRepair what, const std::optional<FillAndSmooth>& then);
   /// @returns its loops that are to be filled.
   std::set<int> take_repaired(const RepairedScan& repaired);
@@ -231,6 +241,7 @@ class FillController : public QObject {
   void take_records();
   void on_run_ended(const FillOutcome& outcome);
   void announce_first_to_look_at(const std::set<int>& loops);
+  void note_time(const std::set<int>& loops, double seconds);
   void say_outcome(const FillOutcome& outcome);
   void record_run();
   void log_run(const std::vector<PatchChange::Pair>& changes);
@@ -260,6 +271,7 @@ class FillController : public QObject {
   QString run_name_;
   PatchChange::Joining run_joining_ = PatchChange::Joining::none;
   ViewSource view_;
+  double seconds_per_vertex_;  ///< of the last large patch
   std::size_t timeline_budget_ = std::size_t{256} << 20;
 };
 

@@ -188,7 +188,9 @@ QString find_scans(std::vector<SessionScan>& scans, const SessionFile& file) {
 }
 
 /// With its loops and its surface as they belong to the scan. @param path  of the session, for errors.
-OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, const Vec3& origin, const QString& path) {
+/// @param budget  of its timeline, bytes
+OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, const Vec3& origin, const QString& path,
+                         std::size_t budget) {
   OpenPatch patch;
   patch.scan = saved.scan;
   for (int number : saved.loop_numbers) {
@@ -197,16 +199,26 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
     if (found == scan.loops.end()) refuse_damaged(path, say("a patch belongs to a hole that does not exist"));
     patch.loops.push_back(static_cast<int>(found - scan.loops.begin()));
   }
-  auto state = std::make_shared<PatchState>(*saved.state);
   const auto vertices = static_cast<int>(scan.model->soup_vertex.size());
-  for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
-    if (const int own = state->patch.view_vertex[v]; own < 0 || own >= vertices)
-      refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
-  state->shape = shape_of(state->patch, origin, scan.colors);
-  show_deviation(*state);
-  state->boundary = boundary_knowledge(state->patch);
-  patch.state = state;
-  patch.timeline = start_timeline(patch.state);
+  std::shared_ptr<const BoundaryKnowledge> boundary;
+  const auto shown = [&](const PatchState& from) {
+    auto state = std::make_shared<PatchState>(from);
+    for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
+      if (const int own = state->patch.view_vertex[v]; own < 0 || own >= vertices)
+        refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
+    state->shape = shape_of(state->patch, origin, scan.colors);
+    show_deviation(*state);
+    if (!boundary) boundary = boundary_knowledge(state->patch);
+    state->boundary = boundary;
+    return state;
+  };
+  patch.state = shown(*saved.state);
+  Timeline timeline;
+  for (const PatchStatePtr& recorded : saved.timeline)
+    timeline.push_back(recorded == saved.state ? patch.state : shown(*recorded));
+  patch.timeline = timeline.empty()
+                       ? start_timeline(patch.state)
+                       : std::make_shared<const Timeline>(within(std::move(timeline), patch.state, budget));
   patch.acceptance = saved.acceptance;
   return patch;
 }
@@ -249,7 +261,7 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
   for (const SessionPatch& saved : session.patches) {
     if (job->token().cancelled()) return {};
     const OpenedScan& scan = *restored.scans[saved.scan];
-    restored.patches.push_back(restored_patch(saved, scan, *origin, path));
+    restored.patches.push_back(restored_patch(saved, scan, *origin, path, timeline_budget_));
   }
   return restored;
 }
@@ -357,7 +369,17 @@ void FillController::export_to(const QString& path, const ExportChoice& choice) 
   tasks_.run(
       job,
       [this, job, task = export_task(document_, file_path(path), choice)] {
-        return writing_.take(*job, [&] { return export_scene(task, job->token()); });
+        static constexpr int parts = 200;  // of the bar
+        int told = -1;
+        const auto tell = [&](double share) {
+          const int part = static_cast<int>(parts * share);
+          if (std::exchange(told, part) == part) return;
+          job->post([this, share, part] {
+            Q_EMIT progress_changed(part, parts);
+            Q_EMIT share_done(share);
+          });
+        };
+        return writing_.take(*job, [&] { return export_scene(task, job->token(), tell); });
       },
       [this, path, content = choice.content](const ExportResult& result) { on_exported(result, path, content); },
       [this](const QString& text) { give_up(text); });

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/message_words.h"
+#include "jobs/defect_places.h"
 #include "jobs/fill_controller.h"
 #include "jobs/repair_scan.h"
 
@@ -83,8 +84,10 @@ void FillController::run_repair(ScanRepair what, std::vector<ScanRepairTask> tas
   for (ScanRepairTask& task : tasks) task.cancel = job->token();
   tasks_.run(
       job,
-      [what, tasks] {
-        std::vector<RepairedScan> all;
+      [what, tasks, origin = document_.origin()] {
+        Repairs result;
+        std::vector<RepairedScan>& all = result.scans;
+        std::vector<FacesToChange> changes;
         for (const ScanRepairTask& task : tasks) {
           try {
             if (auto scan = repaired_scan(what, task)) all.push_back(std::move(*scan));
@@ -94,10 +97,13 @@ void FillController::run_repair(ScanRepair what, std::vector<ScanRepairTask> tas
             failed.words = labels::in_words(error.message());
             all.push_back(std::move(failed));
           }
+          if (!all.empty() && all.back().scan == task.scan && !all.back().proposal.isEmpty())
+            changes.push_back({task.opened, all.back().changed_faces});
         }
-        return all;
+        if (!changes.empty()) result.places = std::make_shared<const DefectPlaces>(mark_faces(changes, origin));
+        return result;
       },
-      [this, what, then](const std::vector<RepairedScan>& all) { on_repaired(all, what, then); },
+      [this, what, then](const Repairs& repairs) { on_repaired(repairs, what, then); },
       [this](const QString& text) { give_up(text); });
 }
 
@@ -108,35 +114,42 @@ constexpr std::size_t many_new_loops = 10;
 
 RepairQuestion question_on(const std::vector<RepairedScan>& all) {
   RepairQuestion question;
-  QStringList words;
+  QStringList words, proposals;
   for (const RepairedScan& one : all) {
     if (!one.made) continue;
     words << one.words;
+    if (!one.proposal.isEmpty()) proposals << one.proposal;
     question.patches += one.lost_patches;
     question.loops_before += one.loops_before;
     question.loops += one.loops;
   }
   question.done = words.join(QLatin1Char('\n'));
+  question.proposal = proposals.join(QLatin1Char(' '));
   return question;
 }
 
 }  // namespace
 
-void FillController::on_repaired(const std::vector<RepairedScan>& all, ScanRepair what,
-                                 const std::optional<FillAndSmooth>& then) {
+void FillController::on_repaired(const Repairs& repairs, ScanRepair what, const std::optional<FillAndSmooth>& then) {
   end();
+  const std::vector<RepairedScan>& all = repairs.scans;
   RepairQuestion question = question_on(all);
+  question.apply = [this, all, what, then] {
+    for (const RepairedScan& one : all)
+      if (busy() || !document_.scan(one.scan)) return;
+    apply_repaired(all, what, then);
+  };
+  if (repairs.places && isSignalConnected(QMetaMethod::fromSignal(&FillController::repair_proposed))) {
+    question.places = repairs.places;
+    Q_EMIT repair_proposed(question);
+    return;
+  }
   const bool opens_much = what != ScanRepair::erase && question.loops > question.loops_before + many_new_loops;
   const bool is_heard = isSignalConnected(QMetaMethod::fromSignal(&FillController::repair_questioned));
   if ((question.patches == 0 && !opens_much) || !is_heard) {
     apply_repaired(all, what, then);
     return;
   }
-  question.apply = [this, all, what, then] {
-    for (const RepairedScan& one : all)
-      if (busy() || !document_.scan(one.scan)) return;
-    apply_repaired(all, what, then);
-  };
   Q_EMIT repair_questioned(question);
 }
 

@@ -2,6 +2,7 @@
 #include "jobs/fill_run.h"
 
 #include "core/system_memory.h"
+#include "filling/patch_size.h"
 #include "jobs/remaining_time.h"
 #include "jobs/state_making.h"
 
@@ -85,6 +86,11 @@ class TaskRecording {
   void begin(const StartPatch& start) {
     const std::set<int> loops = loops_of(start.patch);
     if (!is_asked_for(loops)) return;
+    if (run_.expects && task_.options.evolution) {
+      flow_started_ = Clock::now();
+      const double seconds = std::chrono::duration<double>(flow_started_ - started_).count();
+      run_.expects(seconds * (1 - share_of_initial_patch) / share_of_initial_patch);
+    }
     Part part;
     if (start.kind == StartPatch::Kind::bridge) part.start = PatchRecipe::Start::bridge;
     if (task_.options.evolution) {
@@ -101,6 +107,10 @@ class TaskRecording {
     const std::set<int> loops = loops_of(evolution.patch());
     Part* part = part_of(loops);
     if (!part || !live_) return;
+    if (run_.expects) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - flow_started_).count();
+      run_.expects(steps_left(record.step) * seconds / record.step);
+    }
     if (record.step == 1) {
       part->initial_energy = evolution.initial_energy();
       if (part->attempts++ > 0) recorder_.restart(loops);
@@ -179,6 +189,7 @@ class TaskRecording {
   FillOutcome& outcome_;
   const bool live_;
   const Clock::time_point started_ = Clock::now();
+  Clock::time_point flow_started_ = started_;
   std::mutex mutex_;
   std::map<std::set<int>, Part> parts_;  ///< by loops
 };
@@ -204,6 +215,20 @@ double FillRun::work() const {
   return sum;
 }
 
+namespace {
+
+/// Of the vertices that the patches will have.
+double expected_seconds(const FillRun& run, const FillTask& task) {
+  double vertices = 0;
+  for (const auto& [index, loop] : task.wanted)
+    vertices += expected_new_vertices(task.scan_context->model(), loop, task.options.initial.density);
+  for (const auto& [state, loops] : task.moved)
+    vertices += (1 - share_of_initial_patch) * static_cast<double>(state->patch.free_count);
+  return run.seconds_per_vertex * vertices * (task.options.evolution ? 1 : share_of_initial_patch);
+}
+
+}  // namespace
+
 FillOutcome fill_patches(const FillRun& run, RunRecorder& recorder, const Job& job) {
   FillOutcome outcome;
   std::set<int> begun;
@@ -217,6 +242,8 @@ FillOutcome fill_patches(const FillRun& run, RunRecorder& recorder, const Job& j
     };
     std::map<int, BoundaryLoop> wanted = task.wanted;
     std::erase_if(wanted, [&](const auto& entry) { return begun.contains(entry.first); });
+    const auto& index = task.scan_context->index();  // takes a while where it is the first of the scan
+    if (run.expects) run.expects(expected_seconds(run, task));
     TaskRecording recording(run, task, recorder, job, outcome);
     HolesToSolve holes{with_neighbors(task, wanted), {}, task.closed};
     for (const BoundaryLoop& loop : holes.loops) begins(loop);
@@ -236,7 +263,7 @@ FillOutcome fill_patches(const FillRun& run, RunRecorder& recorder, const Job& j
     for (const InitialPatch& moved : holes.moved)
       for (const BoundaryLoop& loop : moved.loops) work[loop.number] = work_of(loop);
     solve_holes(
-        task.scan_context->index(), holes, options, recording.observer(),
+        index, holes, options, recording.observer(),
         [&](const FillProgress& progress) {
           work_done += (progress.loops_done - of_task) * work[progress.loop_number];
           of_task = progress.loops_done;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/repair_scan.h"
 
+#include "document/labels.h"
 #include "jobs/change_surface.h"
+#include "jobs/defect_places.h"
 #include "jobs/fill_controller.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/hand_bridge.h"
 #include "pipeline/scan_job.h"
+#include "repair/inverted_shells.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 
@@ -28,8 +31,13 @@ std::optional<RepairedScan> trimmed(const ScanRepairTask& task) {
       FillController::tr("%1: %L2 bad triangles were removed at the boundaries; Ctrl+Z brings them back.")
           .arg(old.name)
           .arg(result.removed.size());
-  return RepairedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
-                      FillController::tr("Trim the boundaries of %1").arg(old.name), words, NewPoints{}};
+  RepairedScan repaired{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
+                        FillController::tr("Trim the boundaries of %1").arg(old.name), words, NewPoints{}};
+  for (const BadBoundaryFace& bad : result.removed) repaired.changed_faces.push_back(bad.face);
+  repaired.proposal = FillController::tr("%1: %Ln bad triangle(s) would be removed at the boundaries.", nullptr,
+                                         static_cast<int>(result.removed.size()))
+                          .arg(old.name);
+  return repaired;
 }
 
 std::optional<RepairedScan> trimmed_where_it_crosses(const ScanRepairTask& task) {
@@ -37,13 +45,35 @@ std::optional<RepairedScan> trimmed_where_it_crosses(const ScanRepairTask& task)
   TrimmedModel result = trim_pierced(*old.model, task.loops);
   if (result.removed.empty()) return std::nullopt;
   const int count = static_cast<int>(result.removed.size());
-  return RepairedScan{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
-                      FillController::tr("Trim crossing triangles of %1").arg(old.name),
-                      FillController::tr("%1: %Ln triangle(s) were removed where a boundary ran through the surface; "
-                                         "Ctrl+Z brings them back.",
-                                         nullptr, count)
-                          .arg(old.name),
-                      NewPoints{}};
+  RepairedScan repaired{task.scan, made_scan(std::move(result.model.soup), old.name, old.origin),
+                        FillController::tr("Trim crossing triangles of %1").arg(old.name),
+                        FillController::tr("%1: %Ln triangle(s) were removed where a boundary ran through the surface; "
+                                           "Ctrl+Z brings them back.",
+                                           nullptr, count)
+                            .arg(old.name),
+                        NewPoints{}};
+  for (const BadBoundaryFace& bad : result.removed) repaired.changed_faces.push_back(bad.face);
+  repaired.proposal =
+      FillController::tr("%1: %Ln triangle(s) would be removed where a boundary runs through the surface.", nullptr,
+                         count)
+          .arg(old.name);
+  return repaired;
+}
+
+/// Faces along the boundary edges that would close, and those that would have other corners.
+std::vector<int> faces_at_stitches(const SurfaceModel& model, const NearBoundaries& near,
+                                   const StitchedSurface& stitched) {
+  const bool all_in_place = stitched.removed_faces == 0;
+  std::vector<int> faces = all_in_place ? std::vector<int>() : changed_faces(model.soup, stitched.soup);
+  for (std::size_t f = 0; f < model.soup.triangles.size(); ++f) {
+    const Triangle& t = model.soup.triangles[f];
+    bool changes = false;
+    for (std::size_t k = 0; k < 3; ++k)
+      changes = changes || near.closing.contains({t[k], t[(k + 1) % 3]}) ||
+                (all_in_place && model.soup.points[t[k]] != stitched.soup.points[stitched.soup.triangles[f][k]]);
+    if (changes) faces.push_back(static_cast<int>(f));
+  }
+  return faces;
 }
 
 std::optional<RepairedScan> stitched(const ScanRepairTask& task) {
@@ -55,8 +85,16 @@ std::optional<RepairedScan> stitched(const ScanRepairTask& task) {
           .arg(old.name)
           .arg(result.joined_vertices)
           .arg(result.split_faces);
-  return RepairedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
-                      FillController::tr("Stitch %1").arg(old.name), words};
+  RepairedScan repaired{task.scan, nullptr, FillController::tr("Stitch %1").arg(old.name), words};
+  const NearBoundaries near = near_boundaries(*old.model);
+  repaired.changed_faces = faces_at_stitches(*old.model, near, result);
+  repaired.proposal = FillController::tr(
+                          "%1: %2 vertices would be joined to others and %3 faces split; %4 boundary edges "
+                          "would close.")
+                          .arg(old.name, labels::count(result.joined_vertices), labels::count(result.split_faces),
+                               labels::count(near.closing.size()));
+  repaired.made = made_scan(std::move(result.soup), old.name, old.origin);
+  return repaired;
 }
 
 QStringList list_of(const RepairCounts& counts) {
@@ -238,12 +276,17 @@ std::optional<RepairedScan> parted(const ScanRepairTask& task) {
                       NewPoints{}};
 }
 
-/// What `fill --turn-around` does first.
+/// What looks inward; where nothing does, everything, as `fill --turn-around` does.
 RepairedScan turned_around(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
+  const std::vector<char> inside_out = faces_inside_out(*old.model, old.loops);
   TriangleSoup soup = as_read(*old.model);
-  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
-  const int count = static_cast<int>(soup.triangles.size());
+  int count = 0;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    if (!inside_out.empty() && !inside_out[f]) continue;
+    std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+    ++count;
+  }
   return {
       task.scan, made_scan(std::move(soup), old.name, old.origin), FillController::tr("Turn %1 around").arg(old.name),
       FillController::tr("%1: %Ln face(s) were turned around; Ctrl+Z takes it back.", nullptr, count).arg(old.name)};
@@ -287,6 +330,9 @@ std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask&
   if (result->new_points)
     result->carried = carried_patches(task.patches, task.first_loop, *task.opened, *result->made, *result->new_points);
   result->lost_patches = static_cast<int>(task.patches.size() - result->carried.size()) - result->joined_patches;
+  std::vector<int>& faces = result->changed_faces;
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return result;
 }
 

@@ -44,6 +44,8 @@ struct RepairedScan {
   int lost_patches = 0;
   std::size_t loops_before = 0, loops = 0;  ///< boundary loops of the scan, cuts aside
   std::vector<int> to_fill{};               ///< loops within the repaired scan
+  QString proposal{};                       ///< what would be done, in words; empty: it is not shown before
+  std::vector<int> changed_faces{};         ///< of the old scan's soup, with a proposal; ascending
 };
 
 /// The repaired scan; empty where there is nothing to repair. @throws Error as the function of the engine does.

@@ -79,6 +79,7 @@ void Banner::showEvent(QShowEvent* event) {
 void Banner::hideEvent(QHideEvent* event) {
   QFrame::hideEvent(event);
   Q_EMIT covered(0);
+  Q_EMIT changed();
 }
 
 void Banner::resizeEvent(QResizeEvent* event) {
@@ -181,6 +182,7 @@ void Banner::show_words(const QString& words, Tone tone) {
   text_ = words;
   show();
   settle();
+  Q_EMIT changed();
 }
 
 }  // namespace loopmend

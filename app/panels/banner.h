@@ -41,6 +41,7 @@ class Banner : public QFrame {
 
  Q_SIGNALS:
   void covered(int height);  ///< of what it lies over
+  void changed();            ///< it says something else, or nothing
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

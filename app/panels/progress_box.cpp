@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/progress_box.h"
 
+#include "document/labels.h"
 #include "jobs/fill_controller.h"
 #include "jobs/remaining_time.h"
 #include "panels/parts.h"
@@ -9,8 +10,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
-
-#include <cmath>
 
 namespace loopmend {
 namespace {
@@ -35,6 +34,11 @@ ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(
   });
   connect(&controller_, &FillController::share_done, this, [this](double share) {
     seconds_left_ = seconds_left(static_cast<double>(since_start_.elapsed()) / 1000, share);
+    since_estimate_.start();
+    show_left();
+  });
+  connect(&controller_, &FillController::seconds_left, this, [this](double seconds) {
+    seconds_left_ = seconds;
     since_estimate_.start();
     show_left();
   });
@@ -63,7 +67,7 @@ void ProgressBox::build() {
   layout->addLayout(row);
   left_ = make_note("timeLeft");
   left_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  left_->setMinimumWidth(left_->fontMetrics().horizontalAdvance(tr("about %1 min left").arg(99)));
+  left_->setMinimumWidth(left_->fontMetrics().horizontalAdvance(labels::time_left(99 * 60)));
   auto* below = new QHBoxLayout;
   below->addWidget(bar_, 1);
   below->addWidget(left_);
@@ -84,16 +88,11 @@ void ProgressBox::update_state() {
   show_left();
 }
 
-/// Counts down between two reports; shows nothing once the estimate has run out.
+/// Counts down between two reports; shows nothing at first, and once the estimate has run out.
 void ProgressBox::show_left() {
-  constexpr double minute = 60, most_in_seconds = 90;
-  const double left = seconds_left_ ? *seconds_left_ - static_cast<double>(since_estimate_.elapsed()) / 1000 : 0;
-  if (left < 1)
-    left_->clear();
-  else if (left < most_in_seconds)
-    left_->setText(tr("about %1 s left").arg(static_cast<int>(std::ceil(left))));
-  else
-    left_->setText(tr("about %1 min left").arg(static_cast<int>(std::lround(left / minute))));
+  if (static_cast<double>(since_start_.elapsed()) / 1000 < least_seconds_told) return left_->clear();
+  const double since_then = static_cast<double>(since_estimate_.elapsed()) / 1000;
+  left_->setText(labels::time_left(seconds_left_ ? *seconds_left_ - since_then : 0));
 }
 
 }  // namespace loopmend

@@ -74,8 +74,8 @@ QString VerdictBox::text_of_selection() const {
     filled += document_.patch_of(loop) != nullptr;
     to_look_at += document_.to_look_at(loop);
   }
-  if (filled + to_look_at == 0) return tr("The verdict on a patch is written here when its hole is selected.");
-  return to_look_at == 0 ? tr("No hole has to be looked at. Select one to read more about it.")
+  if (filled + to_look_at == 0) return tr("Select a filled hole to read its verdict.");
+  return to_look_at == 0 ? tr("No hole to look at. Select one to read more.")
                          : tr("%Ln hole(s) to look at. Select one to read why.", nullptr, to_look_at);
 }
 

@@ -22,6 +22,7 @@
 #include "views/file_controller.h"
 #include "views/mesh_view.h"
 #include "views/piece_menu.h"
+#include "views/repair_preview.h"
 #include "views/report_writer.h"
 #include "views/tool_controller.h"
 #include "views/window_actions.h"
@@ -202,6 +203,8 @@ void MainWindow::connect_controller() {
   connect(&controller_, &FillController::notice, banner_, &Banner::show_notice);
   connect(&controller_, &FillController::repaired, banner_, &Banner::show_notice);
   connect(&controller_, &FillController::repair_questioned, this, &MainWindow::ask_about);
+  connect(&controller_, &FillController::repair_proposed, new RepairPreview(document_, *banner_, *view_, this),
+          &RepairPreview::show);
   connect(&controller_, &FillController::holes_made, &selection_, &HoleSelection::select);
   connect(&controller_, &FillController::logged, inspect_, &InspectPanel::log);
   connect(&autosave_, &Autosave::failed, banner_, &Banner::show_problem);
@@ -444,8 +447,8 @@ void MainWindow::offer_recovery() { files_->offer_recovery(); }
 bool MainWindow::shut_down(std::chrono::milliseconds at_most) {
   const bool compared = compare_->shut_down(at_most), tried = tools_->shut_down(at_most);
   const bool checked = check_.shut_down(at_most) && sides_.shut_down(at_most), reported = report_->shut_down(at_most);
-  const bool proposed = candidates_.shut_down(at_most);
-  return controller_.shut_down(at_most) && compared && tried && checked && reported && proposed;
+  const bool proposed = candidates_.shut_down(at_most), summed_up = batch_.shut_down(at_most);
+  return controller_.shut_down(at_most) && compared && tried && checked && reported && proposed && summed_up;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -465,6 +468,17 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!files_->may_close()) {
     event->ignore();
+    return;
+  }
+  if (batch_.busy() && !batch_.is_stopping()) {
+    event->ignore();
+    banner_->ask(tr("A folder is being filled. What is done stays, and the next run goes on there."),
+                 {{tr("&Stop and close"), "answerStop",
+                   [this] {
+                     batch_.stop();
+                     close();
+                   }},
+                  {tr("&Cancel"), "answerCancel", [] {}}});
     return;
   }
   controller_.cancel();

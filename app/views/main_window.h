@@ -8,6 +8,7 @@
 #include "document/scene_visibility.h"
 #include "document/undo_history.h"
 #include "jobs/autosave.h"
+#include "jobs/batch_controller.h"
 #include "jobs/candidate_controller.h"
 #include "jobs/fill_controller.h"
 #include "jobs/print_check.h"
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   FillController& controller() { return controller_; }
   UndoHistory& undo() { return undo_; }
   Autosave& autosave() { return autosave_; }
+  BatchController& batch() { return batch_; }
   PrintCheck& print_check() { return check_; }
   CandidateController& candidates() { return candidates_; }
   MeshView& view() { return *view_; }
@@ -95,6 +97,7 @@ class MainWindow : public QMainWindow {
   void show_repair_dialog();
   void show_picture_dialog();
   void show_film_dialog();
+  void show_batch_dialog();
   void show_written(const QString& path);
   void show_candidates();
   void step_back();
@@ -116,6 +119,7 @@ class MainWindow : public QMainWindow {
   Autosave autosave_;
   PrintCheck check_;
   SideCheck sides_;
+  BatchController batch_;
   QString to_be_pictured_;  ///< the file that was opened or saved last
   WindowActions* actions_;
   MeshView* view_ = nullptr;

@@ -4,6 +4,7 @@
 
 #include "compare/compare_controller.h"
 #include "dialogs/about.h"
+#include "dialogs/batch_dialog.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/help_window.h"
 #include "dialogs/navigation_sheet.h"
@@ -87,6 +88,7 @@ void MainWindow::connect_file_actions() {
   a.on("report", this, [this] { report_->ask(files_->proposal(QStringLiteral("-report.html"))); });
   connect(report_, &ReportWriter::written, this, &MainWindow::show_written);
   connect(report_, &ReportWriter::failed, banner_, &Banner::show_notice);
+  a.on("batch", this, &MainWindow::show_batch_dialog);
   a.on("quit", this, &QWidget::close);
   a.on("preferences", this, &MainWindow::ask_preferences);
   a.on("help", this, [this] { show_beside<HelpWindow>(this); });
@@ -369,6 +371,12 @@ void MainWindow::show_repair_dialog() {
   connect(dialog, &RepairDialog::marked, view_, &MeshView::show_marked);
   connect(dialog, &RepairDialog::place_wanted, view_,
           [this](const DefectPlace& place) { view_->fly_to_place(place.center, place.radius, place.direction); });
+}
+
+void MainWindow::show_batch_dialog() {
+  if (auto* open = findChild<BatchDialog*>()) return open->raise();
+  const auto* dialog = show_beside<BatchDialog>(this, batch_);
+  connect(dialog, &BatchDialog::scan_wanted, this, [this](const QString& path) { open(path); });
 }
 
 void MainWindow::show_candidates() {

@@ -58,6 +58,8 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
        QT_TR_NOOP("Write the flow on the selected patches, or on all, as a film (animated GIF)")},
       {"report", QT_TR_NOOP("Write re&port\u2026"),
        QT_TR_NOOP("Write a page with a picture of each patch, its verdict and what was added (HTML or PDF)")},
+      {"batch", QT_TR_NOOP("&Fill a folder\u2026"),
+       QT_TR_NOOP("Fill every scan of a folder, with a page of the results, as the command loopmend batch does")},
       {"quit", QT_TR_NOOP("&Quit"), QT_TR_NOOP("Close the window"), "Ctrl+Q"},
       {"undo", QT_TR_NOOP("&Undo"), QT_TR_NOOP("Take back the last change"), "Ctrl+Z", "undo"},
       {"redo", QT_TR_NOOP("&Redo"), QT_TR_NOOP("Do it again"), "Ctrl+Y; Ctrl+Shift+Z", "redo"},
@@ -230,8 +232,8 @@ QMenu* WindowActions::add_menu(const QString& title, const char* names, QMenu* i
 }
 
 void WindowActions::build_menus(const QList<QAction*>& docks) {
-  QMenu* file =
-      add_menu(tr("&File"), "open add sample - saveSession saveSessionAs - export screenshot film report - quit");
+  QMenu* file = add_menu(tr("&File"),
+                         "open add sample - saveSession saveSessionAs - export screenshot film report - batch - quit");
   recent_ = new QMenu(tr("Open &recent"), file);
   close_ = new QMenu(tr("C&lose"), file);
   file->insertMenu((*this)["sample"], recent_);

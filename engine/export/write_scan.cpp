@@ -369,7 +369,7 @@ void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions&
           if (picture) like_face = face;
           return picture;
         },
-        *options.texture, cancel);
+        *options.texture, cancel, options.on_painted);
     if (painted.not_painted > 0)
       written.remarks.push_back(say(
           "%1 new triangles have no texture: their patch cannot be laid out in a plane, or the picture would be too "

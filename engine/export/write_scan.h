@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct WriteScanOptions {
   std::vector<double> expected_deviation{};
   /// For each triangle whether it is written; those of all patches, or of none. Empty: all are written.
   std::vector<char> written{};
+  /// Gets the share of the patches that a picture is painted for, 0..1, from time to time; may be empty.
+  std::function<void(double)> on_painted{};
 };
 
 /// What was written beside the mesh, or could not be.

@@ -9,24 +9,31 @@ namespace loopmend {
 
 namespace {
 
-/// For each shell whether it is inside out. What lies in an open one that is, stays as it is with that.
+bool is_body(const Shell& shell) { return shell.around.size() % 2 == 0; }
+
+/// The one that a cavity is in.
+std::size_t body_around(const std::vector<Shell>& shells, const Shell& cavity) {
+  return static_cast<std::size_t>(*std::max_element(cavity.around.begin(), cavity.around.end(), [&](int a, int b) {
+    return shells[a].around.size() < shells[b].around.size();
+  }));
+}
+
+/// For each shell whether it is inside out.
 std::vector<char> inverted(const std::vector<Shell>& shells) {
   std::vector<char> result(shells.size(), 0);
-  const auto is_body = [&](std::size_t s) { return shells[s].around.size() % 2 == 0; };
-  for (std::size_t s = 0; s < shells.size(); ++s) result[s] = is_body(s) && shells[s].volume < 0;
-  for (std::size_t s = 0; s < shells.size(); ++s) {
-    if (is_body(s)) continue;
-    const std::vector<int>& around = shells[s].around;
-    const int body = *std::max_element(around.begin(), around.end(),
-                                       [&](int a, int b) { return shells[a].around.size() < shells[b].around.size(); });
-    result[s] = result[body] && shells[s].volume > 0;
-  }
+  for (std::size_t s = 0; s < shells.size(); ++s) result[s] = is_body(shells[s]) && shells[s].volume < 0;
+  for (std::size_t s = 0; s < shells.size(); ++s)
+    if (!is_body(shells[s])) result[s] = result[body_around(shells, shells[s])] && shells[s].volume > 0;
+  return result;
+}
+
+/// What lies in an open one that is inside out stays as it is with that.
+void leave_what_lies_in_open_ones(const std::vector<Shell>& shells, std::vector<char>& result) {
   const std::vector<char> alone = result;
   for (std::size_t s = 0; s < shells.size(); ++s)
     if (std::any_of(shells[s].around.begin(), shells[s].around.end(),
                     [&](int outer) { return alone[outer] && !shells[outer].is_nearly_closed(); }))
       result[s] = 0;
-  return result;
 }
 
 /// Whether an open shell may be the inner wall of another one that is as open, as of a hollow print.
@@ -39,34 +46,67 @@ bool may_be_an_inner_wall(const std::vector<Shell>& shells, const Shell& shell) 
   });
 }
 
+/// Shells of which it is known on which side their faces are, with what is needed to judge them.
+struct KnownShells {
+  std::vector<Shell> all;
+  std::vector<Eigen::AlignedBox3d> of_others;  ///< that may be bodies or not
+
+  /// Those that may be cavities or inner walls of others are taken as they are.
+  void leave_what_is_not_known(std::vector<char>& inside_out) const {
+    for (std::size_t s = 0; s < all.size(); ++s) {
+      const bool may_be_a_cavity = std::any_of(
+          of_others.begin(), of_others.end(), [&](const Eigen::AlignedBox3d& box) { return box.contains(all[s].box); });
+      if (may_be_a_cavity || (!all[s].is_nearly_closed() && may_be_an_inner_wall(all, all[s]))) inside_out[s] = 0;
+    }
+  }
+};
+
+/// Empty where no shell looks inward.
+KnownShells known_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  KnownShells known;
+  Shells found = find_shells(model, loops);
+  const auto may_be_inverted = [](const Shell& shell) { return shell.is_certain() && shell.volume < 0; };
+  if (std::none_of(found.all.begin(), found.all.end(), may_be_inverted)) return known;
+  for (const Shell& shell : found.all)
+    if (!shell.is_certain()) known.of_others.push_back(shell.box);
+  list_faces(model, found);
+  known.all = std::move(found.all);
+  std::erase_if(known.all, [](const Shell& shell) { return !shell.is_certain(); });
+  find_nesting(model, known.all);
+  return known;
+}
+
 }  // namespace
 
 InvertedShells find_inverted_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   InvertedShells result;
-  Shells found = find_shells(model, loops);
-  std::vector<Shell>& shells = found.all;
-  const auto may_be_inverted = [](const Shell& shell) { return shell.is_certain() && shell.volume < 0; };
-  if (std::none_of(shells.begin(), shells.end(), may_be_inverted)) return result;
-  std::vector<Eigen::AlignedBox3d> of_others;  // that may be bodies or not
-  for (const Shell& shell : shells)
-    if (!shell.is_certain()) of_others.push_back(shell.box);
-  list_faces(model, found);
-  std::erase_if(shells, [](const Shell& shell) { return !shell.is_certain(); });
-  find_nesting(model, shells);
-  const std::vector<char> is_inverted = inverted(shells);
-  for (std::size_t s = 0; s < shells.size(); ++s) {
-    const bool may_be_a_cavity = std::any_of(of_others.begin(), of_others.end(), [&](const Eigen::AlignedBox3d& box) {
-      return box.contains(shells[s].box);
-    });
-    if (!is_inverted[s] || may_be_a_cavity) continue;
-    if (!shells[s].is_nearly_closed() && may_be_an_inner_wall(shells, shells[s])) continue;
-    ++(shells[s].is_nearly_closed() ? result.closed : result.open);
-    if (!shells[s].is_nearly_closed()) continue;
+  const KnownShells known = known_shells(model, loops);
+  std::vector<char> inside_out = inverted(known.all);
+  leave_what_lies_in_open_ones(known.all, inside_out);
+  known.leave_what_is_not_known(inside_out);
+  for (std::size_t s = 0; s < known.all.size(); ++s) {
+    const Shell& shell = known.all[s];
+    if (!inside_out[s]) continue;
+    ++(shell.is_nearly_closed() ? result.closed : result.open);
+    if (!shell.is_nearly_closed()) continue;
     result.faces.resize(model.soup.triangles.size(), 0);
-    result.face_count += shells[s].faces.size();
-    for (int f : shells[s].faces) result.faces[f] = 1;
+    result.face_count += shell.faces.size();
+    for (int f : shell.faces) result.faces[f] = 1;
   }
   return result;
+}
+
+std::vector<char> faces_inside_out(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  const KnownShells known = known_shells(model, loops);
+  std::vector<char> inside_out = inverted(known.all), faces;
+  known.leave_what_is_not_known(inside_out);
+  for (std::size_t s = 0; s < known.all.size(); ++s) {
+    const Shell& shell = known.all[s];
+    if (!inside_out[s] || (!is_body(shell) && !inside_out[body_around(known.all, shell)])) continue;
+    faces.resize(model.soup.triangles.size(), 0);
+    for (int f : shell.faces) faces[f] = 1;
+  }
+  return faces;
 }
 
 }  // namespace loopmend

@@ -25,4 +25,9 @@ struct InvertedShells {
 /// @param loops  all of the model, which may be one that holds only what lies around them
 InvertedShells find_inverted_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
+/// Faces of the bodies that are inside out, open ones as well, and of the cavities that are with them. Turned, all of them leave
+/// nothing that find_inverted_shells() would find.
+/// @param model  all of the surface. @returns per soup triangle 1 where it is to be turned; empty where nothing looks inward.
+std::vector<char> faces_inside_out(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+
 }  // namespace loopmend

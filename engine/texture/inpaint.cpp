@@ -274,9 +274,13 @@ class Quilt {
   /// Fewer would repeat themselves visibly.
   bool has_sources() const { return sources_.size() >= 500; }
 
-  void run() {
+  /// @param progress  gets the share that is done
+  void run(const std::function<void(double)>& progress) {
     for (int y = 0; y < field_.height; ++y)
       for (int x = 0; x < field_.width; ++x) consider(x, y);
+    const auto wanted = static_cast<double>(std::count(state_.begin(), state_.end(), Pixel::wanted));
+    constexpr int squares_between = 64;
+    int squares = 0;
     while (!front_.empty() && !cancel_.cancelled()) {
       const auto [known, x, y] = front_.top();
       front_.pop();
@@ -286,6 +290,8 @@ class Quilt {
         continue;
       }
       copy_to(x, y);
+      if (++squares % squares_between == 0)
+        progress(1 - static_cast<double>(std::count(state_.begin(), state_.end(), Pixel::wanted)) / wanted);
     }
   }
 
@@ -419,14 +425,19 @@ class Quilt {
 };
 
 /// Large gaps first at half the size, whose squares say where to look. @returns where each pixel came from.
-Places fill_with_squares(Field& field, const CancelToken& cancel) {
+Places fill_with_squares(Field& field, const CancelToken& cancel, const std::function<void(double)>& progress) {
+  constexpr double of_halves = 0.25;  // they have a quarter of the pixels
   Places guess;
+  double before = 0;
   if (std::count(field.pixels.begin(), field.pixels.end(), Pixel::wanted) > most_searched) {
     Field half = known_half_of(field);
-    if (Quilt(half, {}, cancel).has_sources()) guess = doubled(fill_with_squares(half, cancel), half, field);
+    if (Quilt(half, {}, cancel).has_sources()) {
+      guess = doubled(fill_with_squares(half, cancel, [&](double share) { progress(of_halves * share); }), half, field);
+      before = of_halves;
+    }
   }
   Quilt quilt(field, std::move(guess), cancel);
-  quilt.run();
+  quilt.run([&](double share) { progress(before + (1 - before) * share); });
   return std::move(quilt).places();
 }
 
@@ -438,12 +449,15 @@ void inpaint_smoothly(Picture& picture, const std::vector<Pixel>& pixels) {
   put_back(field, picture);
 }
 
-void inpaint_like(Picture& picture, const std::vector<Pixel>& pixels, const CancelToken& cancel) {
+void inpaint_like(Picture& picture, const std::vector<Pixel>& pixels, const CancelToken& cancel,
+                  const std::function<void(double)>& progress) {
   Field field = field_of(picture, pixels);
   if (!Quilt(field, {}, cancel).has_sources()) return inpaint_smoothly(picture, pixels);
   const std::vector<Rgb> shading = shading_of(field, coarsenings);
   for (std::size_t k = 0; k < shading.size(); ++k) field.colors[k] -= shading[k];
-  fill_with_squares(field, cancel);
+  fill_with_squares(field, cancel, [&](double share) {
+    if (progress) progress(share);
+  });
   for (std::size_t k = 0; k < shading.size(); ++k) field.colors[k] += shading[k];
   put_back(field, picture);
 }

@@ -5,6 +5,7 @@
 #include "core/cancel.h"
 #include "core/picture.h"
 
+#include <functional>
 #include <vector>
 
 namespace loopmend {
@@ -22,6 +23,8 @@ void inpaint_smoothly(Picture& picture, const std::vector<Pixel>& pixels);
 /// square, each time the one that fits best to what is there already (after Efros and Freeman 2001, and Criminisi, Pérez,
 /// Toyama 2004); in large gaps first at a fraction of the size, so that the time is nearly linear in the pixels. Where too little
 /// is known, the smooth continuation. The same result for any number of threads. Cancelled, the picture is half done.
-void inpaint_like(Picture& picture, const std::vector<Pixel>& pixels, const CancelToken& cancel = {});
+/// @param progress  gets the share of the wanted pixels that have a colour, 0..1, from time to time; may be empty
+void inpaint_like(Picture& picture, const std::vector<Pixel>& pixels, const CancelToken& cancel = {},
+                  const std::function<void(double)>& progress = {});
 
 }  // namespace loopmend

@@ -64,11 +64,12 @@ struct PaintedPiece {
 class Painter {
  public:
   Painter(const TriangleSoup& soup, const std::function<const Picture*(std::size_t)>& picture_of, TextureFill fill,
-          const CancelToken& cancel)
+          const CancelToken& cancel, const std::function<void(double)>& progress)
       : soup_(soup),
         sources_(soup, picture_of),
         fill_(fill),
-        cancel_(cancel) {}
+        cancel_(cancel),
+        progress_(progress) {}
 
   PaintedPatches result() {
     PaintedPatches result;
@@ -80,15 +81,20 @@ class Painter {
     result.is_painted.assign(static_cast<std::size_t>(count), 0);
     std::vector<std::pair<const Piece*, PaintedPiece>> painted;
     double area = 0;
+    std::size_t before = 0;  // triangles of the pieces that are done
     for (const Piece& piece : pieces) {
       if (cancel_.cancelled()) return {};
-      if (piece.around.empty()) continue;
+      const auto tell = [&, mine = piece.own.size()](double share) {
+        if (progress_) progress_((static_cast<double>(before) + share * static_cast<double>(mine)) / count);
+      };
+      tell(0);
       std::optional<PaintedPiece> one;
-      if (area < most_area) one = paint(piece);
+      if (area < most_area && !piece.around.empty()) one = paint(piece, tell);
+      before += piece.own.size();
       if (one) {
         area += static_cast<double>(one->picture.width) * one->picture.height;
         painted.emplace_back(&piece, std::move(*one));
-      } else {
+      } else if (!piece.around.empty()) {
         result.not_painted += piece.own.size();
       }
     }
@@ -168,7 +174,7 @@ class Painter {
     return area > 0 ? std::sqrt(pixels / area) : 0;
   }
 
-  std::optional<PaintedPiece> paint(const Piece& piece) const {
+  std::optional<PaintedPiece> paint(const Piece& piece, const std::function<void(double)>& tell) const {
     std::vector<int> all = piece.own;
     all.insert(all.end(), piece.around.begin(), piece.around.end());
     std::unordered_map<int, int> local;
@@ -222,7 +228,7 @@ class Painter {
     }
     want_margin(pixels, width, height);
     if (fill_ == TextureFill::grain)
-      inpaint_like(picture, pixels, cancel_);
+      inpaint_like(picture, pixels, cancel_, tell);
     else
       inpaint_smoothly(picture, pixels);
     crop(picture, frame - margin, result);
@@ -294,14 +300,15 @@ class Painter {
   TextureOfTriangles sources_;
   TextureFill fill_;
   const CancelToken& cancel_;
+  const std::function<void(double)>& progress_;
 };
 
 }  // namespace
 
 PaintedPatches paint_patches(const TriangleSoup& soup, const std::function<const Picture*(std::size_t)>& picture_of,
-                             TextureFill fill, const CancelToken& cancel) {
+                             TextureFill fill, const CancelToken& cancel, const std::function<void(double)>& progress) {
   if (!soup.attributes || soup.attributes->texture.count() == 0 || soup.attributes->texture.at.empty()) return {};
-  return Painter(soup, picture_of, fill, cancel).result();
+  return Painter(soup, picture_of, fill, cancel, progress).result();
 }
 
 }  // namespace loopmend

@@ -29,7 +29,9 @@ struct PaintedPatches {
 /// continued from them. Texture coordinates as in OBJ: u to the right, v upward, the pictures repeated.
 /// @param soup        attributes->texture has the coordinates of its old triangles
 /// @param picture_of  the picture of a face of the file; null: none
+/// @param progress    gets the share that is done, 0..1, from time to time; may be empty
 PaintedPatches paint_patches(const TriangleSoup& soup, const std::function<const Picture*(std::size_t)>& picture_of,
-                             TextureFill fill, const CancelToken& cancel = {});
+                             TextureFill fill, const CancelToken& cancel = {},
+                             const std::function<void(double)>& progress = {});
 
 }  // namespace loopmend

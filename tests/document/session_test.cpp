@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -128,13 +129,26 @@ struct SessionTest : testing::Test {
     out.close();
     return session_from_file(path("read.loopmend"));
   }
-  /// A scan in a file, a surface that was made, and a patch in each.
+  /// A scan in a file, a surface that was made, and a patch in each; that of the first has two other states: one of the same
+  /// mesh, one of another.
   Session whole_session() {
     document.add_scan(scan_from(path("scan.ply")));
     document.add_scan(scan_from({}, ScanOrigin::made));
     add_patch(document, {square}, whole_state(*document.scan(0)), Acceptance::accepted);
     add_patch(document, {3 + square}, whole_state(*document.scan(1)));
-    return session_of(document, some_view);
+    OpenPatch patch = document.patches().front();
+    const auto moved = std::make_shared<PatchState>(*patch.state), other = std::make_shared<PatchState>(*patch.state);
+    for (int v = 0; v < moved->patch.free_count; ++v) moved->patch.positions[v].z() += 0.125;
+    moved->steps = 2;
+    std::rotate(other->patch.triangles.begin(), other->patch.triangles.begin() + 1,
+                other->patch.triangles.begin() + other->patch.patch_triangles);
+    other->steps = 1;
+    patch.timeline = std::make_shared<const Timeline>(Timeline{other, moved, patch.state});
+    document.replace({patch.id}, {patch});
+    Session session = session_of(document, some_view);
+    std::sort(session.patches.begin(), session.patches.end(),
+              [](const SessionPatch& a, const SessionPatch& b) { return a.scan < b.scan; });
+    return session;
   }
   QTemporaryDir folder;
   Document document;
@@ -160,9 +174,69 @@ TEST_F(SessionTest, ComesBackWithEveryFieldAsItWas) {
     EXPECT_EQ(in.patches[i].acceptance, i == 0 ? Acceptance::accepted : Acceptance::pending);
     expect_same(*in.patches[i].state, *out.patches[i].state);
   }
+  ASSERT_EQ(in.patches[0].timeline.size(), 3u);
+  for (std::size_t k : {0u, 1u, 2u}) expect_same(*in.patches[0].timeline[k], *out.patches[0].timeline[k]);
+  EXPECT_EQ(in.patches[0].timeline[2], in.patches[0].state);
+  EXPECT_TRUE(in.patches[1].timeline.empty());
   ASSERT_TRUE(in.view);
   EXPECT_EQ(in.view->from, some_view().from);
   EXPECT_EQ(in.view->look, some_view().look);
+}
+
+/// A hundred states within a bound: every second one goes until they fit; the first, the present and the last stay.
+TEST_F(SessionTest, RecordedStatesStayWithinTheirBound) {
+  whole_session();
+  OpenPatch patch = document.patches().front();
+  Timeline timeline;
+  for (int k = 0; k < 100; ++k) {
+    auto state = std::make_shared<PatchState>(*patch.state);
+    state->steps = k;
+    timeline.push_back(state);
+  }
+  patch.state = timeline[37];
+  patch.timeline = std::make_shared<const Timeline>(timeline);
+  document.replace({patch.id}, {patch});
+  const auto kept = [&](std::size_t bound) {
+    const Session session = session_of(document, {}, bound);
+    const auto with = std::max_element(
+        session.patches.begin(), session.patches.end(),
+        [](const SessionPatch& a, const SessionPatch& b) { return a.timeline.size() < b.timeline.size(); });
+    return *with;
+  };
+  EXPECT_EQ(kept(most_recorded).timeline.size(), 100u);
+  const Session whole = session_of(document, {});
+  const auto all = static_cast<std::size_t>(to_bytes(whole, folder.path()).size());
+  const SessionPatch fewer = kept(all / 3);
+  EXPECT_LT(fewer.timeline.size(), 60u);
+  EXPECT_GT(fewer.timeline.size(), 10u);
+  EXPECT_EQ(fewer.timeline.front(), timeline.front());
+  EXPECT_EQ(fewer.timeline.back(), timeline.back());
+  EXPECT_EQ(std::count(fewer.timeline.begin(), fewer.timeline.end(), timeline[37]), 1);
+  EXPECT_TRUE(kept(0).timeline.empty());
+}
+
+/// A hundred states of a patch with a large neighborhood take little room in a file, and more in memory.
+TEST_F(SessionTest, RecordedStatesThatDoNotBelongTogetherAreRefused) {
+  const Session whole = whole_session();
+  const auto refused = [&](const char* words, const Timeline& timeline) {
+    Session session = whole;
+    session.patches[0].timeline = timeline;
+    try {
+      read(to_bytes(session, folder.path()));
+      ADD_FAILURE() << "was read: " << words;
+    } catch (const ReadError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  const Timeline& timeline = whole.patches[0].timeline;
+  refused("not complete", {timeline[0], timeline[1]});
+  refused("not complete", {timeline[2], timeline[2]});
+  auto of_other_loops = std::make_shared<PatchState>(*timeline[0]);
+  of_other_loops->patch.loop_numbers = {7};
+  refused("not of the loops", {of_other_loops, timeline[2]});
+  Timeline many(10001, timeline[1]);
+  many.push_back(timeline[2]);
+  refused("more recorded states", many);
 }
 
 TEST_F(SessionTest, IndicesSkipAScanThatWasTakenAway) {

@@ -101,6 +101,7 @@ class CompareTest : public QObject {
   void two_views_and_other_flows();
   void distances_between_flows_and_from_a_mesh();
   void stop_comes_back_at_once();
+  void headings_are_whole_figures_in_any_width();
   void says_why_it_cannot();
 
  private:
@@ -408,6 +409,29 @@ void CompareTest::stop_comes_back_at_once() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   QVERIFY(compare_window(shown) == nullptr);
   QVERIFY(shown.comparisons().shut_down(std::chrono::minutes(4)));
+}
+
+/// As many figures as there is room for, none of them cut; the tooltip has all.
+void CompareTest::headings_are_whole_figures_in_any_width() {
+  Shown shown({ball_file(folder_)});
+  key(shown, Qt::Key_C);
+  CompareWindow* window = compare_window(shown);
+  QVERIFY(window && QTest::qWaitForWindowExposed(window));
+  QVERIFY(run_all(*window));
+  auto* heading = in<QLabel>(*window, "paneFigures3");
+  int shortened = 0;
+  for (const QSize size : {QSize(1360, 860), QSize(1240, 680), QSize(900, 600)}) {
+    window->resize(size);
+    QVERIFY(settle());
+    const QString text = heading->text();
+    QVERIFY2(heading->fontMetrics().horizontalAdvance(text) <= heading->width(), qPrintable(text));
+    QVERIFY2(text.startsWith(QStringLiteral("converged")), qPrintable(text));
+    const bool whole = text.contains(QStringLiteral("\u0394H"));
+    QVERIFY2(whole || text.endsWith(QStringLiteral("\u2026")), qPrintable(text));
+    shortened += !whole;
+    QVERIFY(heading->toolTip().contains(QStringLiteral("jump of H")));
+  }
+  QVERIFY(shortened > 0);
 }
 
 void CompareTest::says_why_it_cannot() {

@@ -206,6 +206,21 @@ WhenAsked::WhenAsked(std::function<void(QDialog&)> answer) {
   timer_.start(20);
 }
 
+bool apply_proposal(MainWindow& window) {
+  const auto is_shown = [&] {
+    const auto* apply = window.findChild<QPushButton*>(QStringLiteral("proposalApply"));
+    return apply && apply->isVisible();
+  };
+  if (!wait_until(is_shown)) return false;
+  press(window, "proposalApply");
+  return wait_idle(window);
+}
+
+bool press_and_apply(MainWindow& window, const char* button) {
+  press(window, button);
+  return apply_proposal(window);
+}
+
 void trigger(MainWindow& window, const char* action) {
   window.findChild<QAction*>(QLatin1String(action), Qt::FindDirectChildrenOnly)->trigger();
 }

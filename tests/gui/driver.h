@@ -55,6 +55,10 @@ T* part(MainWindow& window, const char* name) {
 void press(MainWindow& window, const char* button);
 /// And waits until what it begins has ended. @returns whether it has.
 bool press_and_wait(MainWindow& window, const char* button, double seconds = 240);
+/// Presses the button, which shows first what it would change, and lets it. @returns whether the change is made.
+bool press_and_apply(MainWindow& window, const char* button);
+/// Lets what is proposed be done, once it is.
+bool apply_proposal(MainWindow& window);
 /// As from a menu.
 void trigger(MainWindow& window, const char* action);
 

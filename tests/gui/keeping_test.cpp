@@ -68,6 +68,8 @@ class KeepingTest : public QObject {
   void a_window_that_was_elsewhere_comes_back();
   void no_button_moves_under_the_mouse_data();
   void no_button_moves_under_the_mouse();
+  void hints_fit_a_low_window_data();
+  void hints_fit_a_low_window();
   void states_are_whole_with_every_column();
   void what_will_not_be_saved_is_told_on_opening();
 
@@ -388,6 +390,31 @@ void KeepingTest::no_button_moves_under_the_mouse() {
   press(window, "accept");
   look("accepted");
   QVERIFY2(moved.isEmpty(), qPrintable(moved.join(QLatin1Char('\n'))));
+}
+
+void KeepingTest::hints_fit_a_low_window_data() {
+  QTest::addColumn<QString>("language");
+  QTest::newRow("English") << QStringLiteral("en");
+  QTest::newRow("German") << QStringLiteral("de");
+}
+
+/// What stands in the place of a verdict while there is none to read.
+void KeepingTest::hints_fit_a_low_window() {
+  QFETCH(QString, language);
+  install_language(language);
+  const auto back = qScopeGuard([] { install_language(QStringLiteral("en")); });
+  Shown window({sample_file(folder_)});
+  window.resize(1260, 680);
+  const auto fits = [&] {
+    settle();
+    const auto* hint = part<QLabel>(window, "holeVerdict");
+    const auto* box = part<QScrollArea>(window, "verdictBox");
+    return hint->heightForWidth(box->viewport()->width()) <= box->viewport()->height();
+  };
+  QVERIFY2(fits(), qPrintable(part<QLabel>(window, "holeVerdict")->text()));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  window.selection().select({});
+  QVERIFY2(fits(), qPrintable(part<QLabel>(window, "holeVerdict")->text()));
 }
 
 void KeepingTest::states_are_whole_with_every_column() {

@@ -15,6 +15,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <set>
 #include <vector>
 
 using namespace loopmend;
@@ -60,6 +61,7 @@ class PlayerTest : public QObject {
   void it_goes_on_again_and_again_until_something_else_is_done();
   void the_next_state_comes_by_a_key();
   void there_is_nothing_to_play_without_states();
+  void a_session_keeps_the_states();
 
  private:
   QTemporaryDir folder_;
@@ -200,6 +202,50 @@ void PlayerTest::there_is_nothing_to_play_without_states() {
   QVERIFY(wait_idle(window));
   settle();
   QVERIFY(!part<QPushButton>(window, "play")->isEnabled());  // the initial patch alone
+}
+
+/// Saved in the middle of its states and opened again: all are there, to the bit, and make a film.
+void PlayerTest::a_session_keeps_the_states() {
+  const QString session = folder_.filePath(QStringLiteral("states.loopmend"));
+  std::vector<Points> positions;
+  std::vector<int> steps;
+  int place = 0;
+  {
+    Shown window({sample_file(folder_)});
+    const Flow flow(window);
+    QVERIFY(flow.ready);
+    part<QSlider>(window, "timeline")->setValue(2);
+    QVERIFY(wait_until([&] { return flow.place() == 2; }));
+    for (const PatchStatePtr& state : *flow.patch().timeline) {
+      positions.push_back(state->patch.positions);
+      steps.push_back(state->steps);
+    }
+    place = flow.place();
+    window.controller().save_session(session);
+    QVERIFY(wait_idle(window));
+  }
+  Shown window({session});
+  QVERIFY(wait_until([&] { return !window.document().patches().empty() && !window.controller().busy(); }));
+  const OpenPatch& patch = window.document().patches().front();
+  QCOMPARE(patch.timeline->size(), positions.size());
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    QVERIFY((*patch.timeline)[k]->patch.positions == positions[k]);
+    QCOMPARE((*patch.timeline)[k]->steps, steps[k]);
+  }
+  QCOMPARE(static_cast<int>(place_in(*patch.timeline, patch.state)), place);
+  window.selection().select({patch.loops.front()});
+  settle();
+  QVERIFY(window.findChild<QAction*>(QStringLiteral("film"))->isEnabled());
+  std::set<int> shown;
+  choose_pace(window, 8);
+  connect(&window.document(), &Document::patch_moved, &window, [&] {
+    shown.insert(static_cast<int>(
+        place_in(*window.document().patches().front().timeline, window.document().patches().front().state)));
+  });
+  press(window, "play");
+  QVERIFY(wait_until([&] { return !is_playing(window); }));
+  QCOMPARE(*shown.rbegin(), static_cast<int>(positions.size()) - 1);
+  QCOMPARE(static_cast<int>(shown.size()), static_cast<int>(positions.size()) - 1 - place);  // from there on
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<PlayerTest>(); }

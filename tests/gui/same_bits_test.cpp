@@ -247,14 +247,14 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
   Shown window({scan});
   if (options.contains(QStringLiteral("--trim-boundary"))) {
     const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
-    QVERIFY(press_and_wait(window, "trim"));
+    QVERIFY(press_and_apply(window, "trim"));
     const int trimmed = window.document().scans().front();
     QVERIFY(window.document().scan(trimmed)->model->soup.triangles.size() < before);
   }
   if (options.contains(QStringLiteral("--trim-crossing"))) {
     const std::size_t before = window.document().scan(0)->model->soup.triangles.size();
     trigger(window, "trimCrossingAction");
-    QVERIFY(wait_idle(window));
+    QVERIFY(apply_proposal(window));
     const int trimmed = window.document().scans().front();
     QCOMPARE(window.document().scan(trimmed)->model->soup.triangles.size(), before - 1);
   }
@@ -263,7 +263,7 @@ void SameBitsTest::window_and_command_line_give_the_same_bits() {
     act();
     return wait_idle(window) && window.document().scans().front() != before;  // another one came in its place
   };
-  if (options.contains(QStringLiteral("--stitch"))) QVERIFY(repaired([&] { press(window, "stitch"); }));
+  if (options.contains(QStringLiteral("--stitch"))) QVERIFY(repaired([&] { press_and_apply(window, "stitch"); }));
   if (options.contains(QStringLiteral("--repair")))
     QVERIFY(repaired([&] { window.controller().repair(harmless_repairs); }));
   part<QCheckBox>(window, "islands")->setChecked(!options.contains(QStringLiteral("--islands")));

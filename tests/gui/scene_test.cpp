@@ -98,6 +98,7 @@ class SceneTest : public QObject {
   void hidden_pieces_are_exported_and_stay_hidden();
   void flying_to_a_hidden_hole_shows_it();
   void faces_that_look_inward_are_turned_around();
+  void turning_around_leaves_what_is_right();
   void bodies_inside_out_are_told();
 
  private:
@@ -319,6 +320,29 @@ void SceneTest::faces_that_look_inward_are_turned_around() {
   trigger(window, "turnAroundAction");
   QVERIFY(wait_idle(window));
   QVERIFY(!looks_outward(document.first_scan()));
+}
+
+/// The notice after it offers nothing more: small bodies beside the main one stay as they are.
+void SceneTest::turning_around_leaves_what_is_right() {
+  TriangleSoup small = make_icosphere(2);
+  for (Vec3& p : small.points) p = 0.2 * p + Vec3(3, 0, 0);
+  const TriangleSoup bowl = inward_ball(0.3), both = joined({bowl, small});
+  Shown window({scan_file(folder_, QStringLiteral("beside.ply"), both)});
+  const Document& document = window.document();
+  auto* banner = window.findChild<Banner*>();
+  QVERIFY(wait_until([&] { return banner->text().startsWith(QStringLiteral("beside.ply: the faces look inward")); }));
+  press(window, "answerTurnAround");
+  QVERIFY(wait_idle(window));
+  QVERIFY(looks_outward(document.first_scan()));
+  const TriangleSoup& now = document.scan(document.scans().front())->model->soup;
+  for (std::size_t f = 0; f < both.triangles.size(); ++f)
+    QCOMPARE(now.triangles[f] == both.triangles[f], f >= bowl.triangles.size());
+  const QString said = QStringLiteral("beside.ply: %1 faces were turned around; Ctrl+Z takes it back.")
+                           .arg(QLocale().toString(static_cast<int>(bowl.triangles.size())));
+  QCOMPARE(banner->text(), said);
+  linger(1500);  // as long as the sides are looked at
+  QVERIFY(settle());
+  QVERIFY(!banner->text().contains(QStringLiteral("inside out")));
 }
 
 void SceneTest::bodies_inside_out_are_told() {

@@ -8,6 +8,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
+#include "samples/analytic_surfaces.h"
 
 #include <QAction>
 #include <QApplication>
@@ -52,6 +53,7 @@ class StoryTest : public QObject {
   void one_hole_by_eye();
   void all_small_holes_and_undo();
   void many_holes();
+  void one_large_hole_tells_the_time_left();
   void crash_and_recover();
   void command_line_repeats_the_window();
   void session_keeps_everything();
@@ -209,6 +211,28 @@ void StoryTest::many_holes() {
   settle();
   gaps.report("many holes: undo");
   QCOMPARE(filled(document), 0);
+}
+
+/// By the vertices at first, then by the time that the initial patch and the steps took.
+void StoryTest::one_large_hole_tells_the_time_left() {
+  const int level = at_length() ? 7 : 5;
+  Shown window({scan_file(folder_, QStringLiteral("half.ply"),
+                          cut(make_icosphere(level), [](const Vec3& p) { return p.z() > 0.5; }))});
+  std::vector<double> expected;
+  QStringList left;
+  const auto* time_left = window.findChild<QLabel*>(QStringLiteral("timeLeft"));
+  const auto listening = connect(&window.controller(), &FillController::seconds_left, this, [&](double seconds) {
+    expected.push_back(seconds);
+    if (!time_left->text().isEmpty()) left << time_left->text();
+  });
+  QVERIFY(press_and_wait(window, "fillAndSmooth", 800));
+  disconnect(listening);
+  QVERIFY(expected.size() >= 3);  // at the start, with the initial patch, at each step
+  QVERIFY(std::all_of(expected.begin(), expected.end(), [](double seconds) { return seconds > 0; }));
+  const QRegularExpression pattern(QStringLiteral("^about \\d+ (s|min) left$"));
+  QVERIFY2(std::all_of(left.begin(), left.end(), [&](const QString& text) { return pattern.match(text).hasMatch(); }),
+           qPrintable(left.join(QLatin1Char('\n'))));
+  QVERIFY(time_left->text().isEmpty());
 }
 
 void StoryTest::crash_and_recover() {

@@ -137,6 +137,8 @@ void dragon(const QDir& scans, const QDir& pictures, const QString&) {
   story.tell("open");
   story.click("stitch");
   story.idle();
+  story.click("proposalApply");
+  story.idle();
   story.tell("stitched");
   story.verdict();
   story.tell("checked");

@@ -18,6 +18,12 @@ TEST(RemainingTime, IsNotToldWhereItIsNotKnown) {
   EXPECT_FALSE(seconds_left(60, 1));
 }
 
+TEST(RemainingTime, OneStepMoreIsExpectedWhereMoreWereTakenThanUsual) {
+  EXPECT_GT(steps_left(1), steps_left(2));
+  EXPECT_DOUBLE_EQ(steps_left(5), steps_left(12));
+  EXPECT_GE(steps_left(12), 1);
+}
+
 TEST(RemainingTime, AHoleOfTwiceTheEdgesIsFourTimesTheWork) {
   BoundaryLoop small, large;
   small.vertices.resize(1000);

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -108,6 +109,37 @@ TEST(InvertedShells, WhatLiesInAnOpenShellIsLeft) {
 }
 
 /// Both end at the same height.
+TriangleSoup turned(TriangleSoup soup, const std::vector<char>& faces) {
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (faces[f]) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+  return soup;
+}
+
+std::vector<char> inside_out(const TriangleSoup& soup) {
+  const SurfaceModel model = make_surface_model(soup);
+  return faces_inside_out(model, find_boundary_loops(model));
+}
+
+/// A wide bowl that looks inward as a whole, with a cavity, and two balls beside it, of which one is sound.
+TEST(InvertedShells, TurningAroundLeavesWhatIsRight) {
+  TriangleSoup bowl = cut(ball(1, {0, 0, 0}, Facing::inward), [](const Vec3& p) { return p.z() > 0.3; });
+  const TriangleSoup soup = joined({bowl, ball(0.2, {0, 0, -0.4}, Facing::outward),
+                                    ball(0.3, {3, 0, 0}, Facing::outward), ball(0.3, {6, 0, 0}, Facing::inward)});
+  EXPECT_EQ(found_in(soup).open, 1u);
+  EXPECT_EQ(found_in(soup).closed, 1u);
+  const std::vector<char> faces = inside_out(soup);
+  ASSERT_EQ(faces.size(), soup.triangles.size());
+  const std::size_t of_bowl = bowl.triangles.size(), of_ball = make_icosphere(2).triangles.size();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::size_t body = f < of_bowl ? 0 : 1 + (f - of_bowl) / of_ball;
+    EXPECT_EQ(faces[f] != 0, body != 2) << f;  // the sound ball alone stays
+  }
+  const InvertedShells after = found_in(turned(soup, faces));
+  EXPECT_EQ(after.open, 0u);
+  EXPECT_EQ(after.closed, 0u);
+  EXPECT_TRUE(inside_out(turned(soup, faces)).empty());
+}
+
 TEST(InvertedShells, TheInnerWallOfACupIsNone) {
   const auto is_above = [](const Vec3& p) { return p.z() > 0.4; };
   const TriangleSoup outer = cut(ball(1, {0, 0, 0}, Facing::outward), is_above);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -109,6 +110,19 @@ TEST(Inpaint, StripesGoOnOverLargeGaps) {
         counts[is_in_stripe(x)] += 1;
       }
   EXPECT_GT(sums[1] / counts[1] - sums[0] / counts[0], 30);  // 40 around the gap
+}
+
+/// For an estimate of the time that is left.
+TEST(Inpaint, TellsHowFarItIs) {
+  Scene made = grainy(500, 150);
+  std::vector<double> told;
+  inpaint_like(made.picture, made.pixels, {}, [&](double share) { told.push_back(share); });
+  ASSERT_GT(told.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.front(), 0);
+  EXPECT_LT(told.front(), 0.4);
+  EXPECT_GT(told.back(), 0.8);
+  EXPECT_LE(told.back(), 1);
 }
 
 TEST(Inpaint, IsTheSameForAnyNumberOfThreads) {

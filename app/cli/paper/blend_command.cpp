@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
-#include "cli/exit_codes.h"
 #include "cli/outputs.h"
 #include "cli/report.h"
+#include "exit_codes.h"
 #include "opened_parts.h"
 #include "paper_commands.h"
 

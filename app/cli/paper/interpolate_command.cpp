@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
-#include "cli/exit_codes.h"
 #include "cli/open_model.h"
 #include "cli/outputs.h"
 #include "cli/report.h"
+#include "exit_codes.h"
 #include "paper_commands.h"
 #include "vertex_selection.h"
 

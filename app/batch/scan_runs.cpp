@@ -2,12 +2,11 @@
 #include "scan_runs.h"
 
 #include "child.h"
-#include "cli/exit_codes.h"
-#include "cli/outputs.h"
 #include "core/error.h"
 #include "core/path_text.h"
 #include "core/system_memory.h"
 #include "core/threads.h"
+#include "exit_codes.h"
 
 #include <algorithm>
 #include <chrono>
@@ -39,28 +38,29 @@ bool names(const std::vector<std::string>& options, const std::string& option) {
 }
 
 /// The last line that the child wrote, without the names of program and input; what its end tells where it wrote none.
-std::string reason_of(const ChildEnd& end, const fs::path& input) {
+Message reason_of(const ChildEnd& end, const fs::path& input) {
   std::string said = end.said;
   while (!said.empty() && (said.back() == '\n' || said.back() == ' ')) said.pop_back();
   const std::string name = "loopmend: ";
   if (const std::size_t line = said.rfind("\n" + name); line != std::string::npos) said.erase(0, line + 1);
   for (const std::string& known : {name, as_argument(input) + ": "})
     if (said.starts_with(known)) said.erase(0, known.size());
-  if (!said.empty()) return said;
-  if (end.code == 128 + 9) return "its process was killed (SIGKILL), as the system does where memory runs out";
-  if (end.code > 128) return "its process was ended by signal " + std::to_string(end.code - 128);
-  return "its process ended with exit code " + std::to_string(end.code);
+  std::replace(said.begin(), said.end(), '\n', ' ');
+  if (!said.empty()) return verbatim(said);
+  if (end.code == 128 + 9) return say("its process was killed (SIGKILL), as the system does where memory runs out");
+  if (end.code > 128) return say("its process was ended by signal %1", end.code - 128);
+  return say("its process ended with exit code %1", end.code);
 }
 
 class ScanRuns {
  public:
-  ScanRuns(const std::vector<Scan>& scans, const BatchCommand& command, Ledger& ledger)
+  ScanRuns(const std::vector<Scan>& scans, const BatchJob& job, Ledger& ledger, const BatchEvents& events)
       : scans_(scans),
-        command_(command),
+        job_(job),
         ledger_(ledger),
-        settings_(settings_of(command, scans.size())),
-        ends_(scans.size()),
-        progress_(command.verbosity) {}
+        events_(events),
+        settings_(settings_of(job, scans.size())),
+        ends_(scans.size()) {}
 
   std::vector<ScanEnd> run(const CancelToken& cancel) {
     std::size_t next = 0;
@@ -97,37 +97,38 @@ class ScanRuns {
     std::optional<FileState> input;  ///< before the work
     Clock::time_point since;
     Child child;
-    Running(std::size_t which, bool picture, const std::optional<FileState>& file,
+    Running(std::size_t which, bool picture, const std::optional<FileState>& file, const fs::path& program,
             const std::vector<std::string>& words)
         : scan(which),
           is_picture(picture),
           input(file),
           since(Clock::now()),
-          child(words) {}
+          child(program, words) {}
   };
 
-  ScanFiles files(std::size_t k) const { return files_of(command_.output, scans_[k].name); }
+  ScanFiles files(std::size_t k) const { return files_of(job_.output, scans_[k].name); }
 
   void start(std::size_t k) {
     const Scan& scan = scans_[k];
     if (!scan.fault.empty()) return refuse(k, scan.fault);
     const auto entry = ledger_.complete(scan);
-    const bool again = command_.again == BatchCommand::Again::all ||
-                       (command_.again == BatchCommand::Again::open && entry && entry->code != exit_done);
+    const bool again = job_.again == BatchJob::Again::all ||
+                       (job_.again == BatchJob::Again::open && entry && entry->code != exit_done);
     if (entry && !again) {
       ends_[k] = {ScanEnd::State::as_before, entry->code, {}, entry->seconds, {}};
-      if (!make_picture(k)) finished();
+      if (!make_picture(k)) finished(k);
       return;
     }
     if (const auto file = ledger_.foreign_file(scan.name)) {
-      if (command_.existing == BatchCommand::Existing::keep)
-        return refuse(k, path_text(*file) +
-                             " is there, and no batch wrote it, or it has changed since: move it away, or "
-                             "give --overwrite");
-      progress_.say(path_text(*file) + " is overwritten, though no batch wrote it");
+      if (job_.existing == BatchJob::Existing::keep)
+        return refuse(k, say("%1 is there, and no batch wrote it, or it has changed since: move it away, or give "
+                             "--overwrite",
+                             path_text(*file)));
+      tell(say("%1 is overwritten, though no batch wrote it", path_text(*file)));
     }
     ledger_.begin(scan.name);
-    running_.emplace_back(k, false, state_of(scan.input), fill_words(k));
+    running_.emplace_back(k, false, state_of(scan.input), job_.program, fill_words(k));
+    if (events_.begun) events_.begun(k);
   }
 
   std::vector<std::string> fill_words(std::size_t k) const {
@@ -136,7 +137,7 @@ class ScanRuns {
     for (const fs::path& folder : {to.mesh.parent_path(), to.report.parent_path()}) {
       std::error_code error;
       fs::create_directories(folder, error);
-      if (error) throw WriteError(folder, verbatim(error.message()), say("Choose another folder for -o."));
+      if (error) throw WriteError(folder, verbatim(error.message()), say("Choose another folder for the results."));
     }
     std::vector<std::string> words{"fill",     as_argument(scan.input), "-o",     as_argument(to.mesh),
                                    "--report", as_argument(to.report),  "--quiet"};
@@ -156,7 +157,7 @@ class ScanRuns {
       ledger_.finish(scans_[k], input, end.code, seconds);
       result.state = ScanEnd::State::filled;
       remove(files(k).picture);
-      if (cancel.cancelled() || !make_picture(k)) finished();
+      if (cancel.cancelled() || !make_picture(k)) finished(k);
       return;
     }
     if (cancel.cancelled()) return;  // waits for the next run
@@ -164,7 +165,8 @@ class ScanRuns {
     const ScanFiles stale = files(k);
     bool removed = false;
     for (const fs::path& file : {stale.mesh, stale.report, stale.picture}) removed = remove(file) || removed;
-    refuse(k, reason_of(end, scans_[k].input) + (removed ? " What an earlier run made of it was removed." : ""));
+    refuse(k, joined(reason_of(end, scans_[k].input), " ",
+                     removed ? say("What an earlier run made of it was removed.") : Message()));
   }
 
   static bool remove(const fs::path& file) {
@@ -174,13 +176,13 @@ class ScanRuns {
 
   /// @returns false where none is wanted, or there is one.
   bool make_picture(std::size_t k) {
-    const bool wanted = command_.pictures == BatchCommand::Pictures::all ||
-                        (command_.pictures == BatchCommand::Pictures::open && ends_[k].code != exit_done);
+    const bool wanted = job_.pictures == BatchJob::Pictures::all ||
+                        (job_.pictures == BatchJob::Pictures::open && ends_[k].code != exit_done);
     const fs::path picture = files(k).picture;
     if (!wanted || state_of(picture)) return false;
     std::error_code error;
     fs::create_directories(picture.parent_path(), error);  // render tells what is wrong
-    running_.emplace_back(k, true, std::nullopt,
+    running_.emplace_back(k, true, std::nullopt, job_.program,
                           std::vector<std::string>{"render", as_argument(scans_[k].input), as_argument(files(k).mesh),
                                                    "-o", as_argument(picture), "--size", "1200x600"});
     return true;
@@ -189,18 +191,24 @@ class ScanRuns {
   void end_picture(std::size_t k, const ChildEnd& end, const CancelToken& cancel) {
     if (end.code != exit_done)
       ends_[k].picture_fault =
-          cancel.cancelled() ? "the batch was stopped before it was made" : reason_of(end, scans_[k].input);
-    finished();
+          cancel.cancelled() ? say("the batch was stopped before it was made") : reason_of(end, scans_[k].input);
+    finished(k);
   }
 
-  void refuse(std::size_t k, const std::string& why) {
+  void refuse(std::size_t k, const Message& why) {
     ends_[k].state = ScanEnd::State::error;
     ends_[k].why = why;
-    progress_.say(path_text(scans_[k].input) + ": " + why);
-    finished();
+    tell(say("%1: %2", path_text(scans_[k].input), why));
+    finished(k);
   }
 
-  void finished() { progress_.show(++done_, static_cast<int>(scans_.size()), "scans"); }
+  void finished(std::size_t k) const {
+    if (events_.ended) events_.ended(k, ends_[k]);
+  }
+
+  void tell(const Message& words) const {
+    if (events_.said) events_.said(words);
+  }
 
   void stop() {
     if (!stopped_) {
@@ -212,31 +220,30 @@ class ScanRuns {
   }
 
   const std::vector<Scan>& scans_;
-  const BatchCommand& command_;
+  const BatchJob& job_;
   Ledger& ledger_;
+  const BatchEvents& events_;
   RunSettings settings_;
   std::vector<ScanEnd> ends_;
   std::list<Running> running_;
-  ProgressLine progress_;
-  int done_ = 0;
   std::optional<Clock::time_point> stopped_;
 };
 
 }  // namespace
 
-RunSettings settings_of(const BatchCommand& command, std::size_t scans) {
+RunSettings settings_of(const BatchJob& job, std::size_t scans) {
   const int cores = thread_budget();
   RunSettings settings;
-  settings.jobs = static_cast<int>(std::min(scans, static_cast<std::size_t>(command.jobs > 0 ? command.jobs : cores)));
+  settings.jobs = static_cast<int>(std::min(scans, static_cast<std::size_t>(job.jobs > 0 ? job.jobs : cores)));
   settings.threads = std::max(1, cores / settings.jobs);
   const double memory = memory_left_mb({}) / settings.jobs;
   if (std::isfinite(memory) && settings.jobs > 1) settings.max_memory = std::max(1.0, std::floor(memory));
   return settings;
 }
 
-std::vector<ScanEnd> fill_scans(const std::vector<Scan>& scans, const BatchCommand& command, Ledger& ledger,
-                                const CancelToken& cancel) {
-  return ScanRuns(scans, command, ledger).run(cancel);
+std::vector<ScanEnd> run_scans(const std::vector<Scan>& scans, const BatchJob& job, Ledger& ledger,
+                               const BatchEvents& events, const CancelToken& cancel) {
+  return ScanRuns(scans, job, ledger, events).run(cancel);
 }
 
 }  // namespace loopmend

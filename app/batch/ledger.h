@@ -21,6 +21,12 @@ struct ScanFiles {
 };
 ScanFiles files_of(const std::filesystem::path& folder, const std::string& name);
 
+/// The summary of all scans, in the same folder.
+struct ResultFiles {
+  std::filesystem::path table, page;
+};
+ResultFiles result_files(const std::filesystem::path& folder);
+
 /// What tells that a file is as it was.
 struct FileState {
   std::uintmax_t size = 0;

@@ -9,9 +9,9 @@ namespace loopmend {
 
 namespace {
 
-using Pictures = BatchCommand::Pictures;
+using Pictures = BatchJob::Pictures;
 using FailOn = BatchCommand::FailOn;
-using Again = BatchCommand::Again;
+using Again = BatchJob::Again;
 
 constexpr std::array<Named<Pictures>, 3> pictures_names{
     {{"all", Pictures::all}, {"none", Pictures::none}, {"open", Pictures::open}}};
@@ -22,25 +22,26 @@ constexpr std::array<Named<Again>, 3> again_names{{{"all", Again::all}, {"none",
 }  // namespace
 
 void add_batch(CLI::App& app, BatchCommand& command) {
+  BatchJob& job = command.job;
   CLI::App* batch = app.add_subcommand("batch", "Fill many scans, several at once, with one summary");
-  batch->add_option("IN", command.inputs, "Scans, folders of scans, manifests (.jsonl)")->required();
-  batch->add_option("-o,--output", command.output, "Folder to write to; made if need be")->type_name("DIR")->required();
-  batch->add_option("--jobs", command.jobs, "Scans worked on at once; 0: one for each core")
+  batch->add_option("IN", job.inputs, "Scans, folders of scans, manifests (.jsonl)")->required();
+  batch->add_option("-o,--output", job.output, "Folder to write to; made if need be")->type_name("DIR")->required();
+  batch->add_option("--jobs", job.jobs, "Scans worked on at once; 0: one for each core")
       ->check(between(0, 1024))
       ->capture_default_str();
-  batch->add_option("--format", command.format, "Format of the outputs (default: that of each input)")
+  batch->add_option("--format", job.format, "Format of the outputs (default: that of each input)")
       ->check(CLI::IsMember({"ply", "stl", "obj", "off", "glb", "gltf", "3mf", "vtp", "vtk"}));
-  add_named(*batch, "--pictures", command.pictures, pictures_names,
+  add_named(*batch, "--pictures", job.pictures, pictures_names,
             "Pictures before and after: of all scans, of those to look at, or none");
   add_named(*batch, "--fail-on", command.fail_on, fail_on_names,
             "Exit code 1: never, where a scan has no output, or also where one is to be looked at");
-  add_named(*batch, "--again", command.again, again_names,
+  add_named(*batch, "--again", job.again, again_names,
             "Complete scans that are filled once more: none, those to look at, or all");
   batch->add_flag_callback(
-      "--overwrite", [&command] { command.existing = BatchCommand::Existing::overwrite; },
+      "--overwrite", [&job] { job.existing = BatchJob::Existing::overwrite; },
       "Replace files in DIR that no batch wrote, or that have changed since");
   batch->add_flag_callback(
-      "--no-auto", [&command] { command.prepare = BatchCommand::Prepare::as_asked; },
+      "--no-auto", [&job] { job.prepare = BatchJob::Prepare::as_asked; },
       "Fill scans as they are; without it each is stitched, repaired and trimmed where it needs that (fill --auto)");
   batch->add_flag_callback(
       "--quiet", [&command] { command.verbosity = Verbosity::quiet; },

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scan_list.h"
 
-#include "cli/commands.h"
 #include "core/path_text.h"
 #include "io/read_mesh.h"
 #include "io/text_cursor.h"
+#include "usage_error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,7 +25,7 @@ struct Found {
   fs::path base;       ///< folder that it was found in, or below
   std::string output;  ///< as a manifest names it; empty: by its place
   std::vector<std::string> options;
-  std::string fault;
+  Message fault;
 };
 
 /// From the root on, without a slash at its end, whatever there is. "" is the present folder.
@@ -58,7 +58,7 @@ void walk(const fs::path& folder, const fs::path& base, const fs::path& results,
       files.push_back(entry->path());
     }
   }
-  if (error) found.push_back({folder, base, {}, {}, "the folder cannot be read: " + error.message()});
+  if (error) found.push_back({folder, base, {}, {}, say("the folder cannot be read: %1", error.message())});
   std::sort(files.begin(), files.end());
   std::sort(folders.begin(), folders.end());
   for (const fs::path& file : files) found.push_back({file, base, {}, {}, {}});
@@ -111,10 +111,10 @@ void read_manifest(const fs::path& path, std::vector<Found>& found) {
   if (!file.eof()) throw UsageError(path_text(path) + ": the manifest cannot be read");
 }
 
-std::vector<Found> find_scans(const BatchCommand& command) {
-  const fs::path results = plain(command.output);
+std::vector<Found> find_scans(const BatchJob& job) {
+  const fs::path results = plain(job.output);
   std::vector<Found> found;
-  for (const fs::path& input : command.inputs) {
+  for (const fs::path& input : job.inputs) {
     std::error_code error;
     const std::size_t before = found.size();
     if (fs::is_directory(input, error)) {
@@ -124,12 +124,12 @@ std::vector<Found> find_scans(const BatchCommand& command) {
     } else {
       found.push_back({input, input.parent_path(), {}, {}, {}});
     }
-    if (found.size() == before) throw UsageError("there is no scan in " + path_text(input));
+    if (found.size() == before) throw UsageError(say("there is no scan in %1", path_text(input)));
   }
   for (const Found& scan : found)
     if (is_within(plain(scan.input), results))
-      throw UsageError(path_text(scan.input) + " lies in the folder of the results, " + path_text(command.output) +
-                       ": choose another folder for -o");
+      throw UsageError(say("%1 lies in the folder of the results, %2: choose another folder for the results",
+                           path_text(scan.input), path_text(job.output)));
   return found;
 }
 
@@ -155,13 +155,14 @@ std::string name_of(const Found& scan, const fs::path& common, const std::string
 
 }  // namespace
 
-std::vector<Scan> list_scans(const BatchCommand& command) {
-  const std::vector<Found> found = find_scans(command);
+std::vector<Scan> list_scans(const BatchJob& job) {
+  const std::vector<Found> found = find_scans(job);
+  const std::vector<std::string> options = job.options_of_all();
   const fs::path common = common_folder(found);
   std::map<std::string, std::size_t> known;
   std::vector<Scan> scans;
   for (const Found& one : found) {
-    Scan scan{one.input, name_of(one, common, command.format), command.fill_options, one.fault};
+    Scan scan{one.input, name_of(one, common, job.format), options, one.fault};
     scan.options.insert(scan.options.end(), one.options.begin(), one.options.end());
     const auto [entry, is_new] = known.try_emplace(scan.name, scans.size());
     if (is_new) {
@@ -170,8 +171,8 @@ std::vector<Scan> list_scans(const BatchCommand& command) {
     }
     const Scan& other = scans[entry->second];
     if (plain(other.input) != plain(scan.input) || other.options != scan.options)
-      throw UsageError("the outputs of " + path_text(other.input) + " and of " + path_text(scan.input) +
-                       " would both be " + scan.name + ": name them in a manifest");
+      throw UsageError(say("the outputs of %1 and of %2 would both be %3: name them in a manifest",
+                           path_text(other.input), path_text(scan.input), scan.name));
   }
   return scans;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ledger.h"
 
-#include "cli/commands.h"
 #include "core/path_text.h"
 #include "core/version.h"
+#include "usage_error.h"
 
 #include <chrono>
 #include <fstream>
@@ -46,6 +46,8 @@ ScanFiles files_of(const fs::path& folder, const std::string& name) {
           folder / "pictures" / path_of_text(name + ".png")};
 }
 
+ResultFiles result_files(const fs::path& folder) { return {folder / "summary.csv", folder / "summary.html"}; }
+
 std::optional<FileState> state_of(const fs::path& path) {
   std::error_code no_size, no_time;
   const std::uintmax_t size = fs::file_size(path, no_size);
@@ -59,7 +61,7 @@ namespace {
 fs::path made(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw WriteError(folder, verbatim(error.message()), say("Choose another folder for -o."));
+  if (error) throw WriteError(folder, verbatim(error.message()), say("Choose another folder for the results."));
   return folder;
 }
 
@@ -95,11 +97,13 @@ void Ledger::read() {
       }
     }
   } catch (const std::exception&) {
-    throw UsageError(path_text(path_) + ", line " + std::to_string(std::max(1, number)) +
-                     ": not what batch writes there: move the file away, or choose another folder for -o");
+    throw UsageError(
+        say("%1, line %2: not what batch writes there: move the file away, or choose another folder for the "
+            "results",
+            path_text(path_), std::max(1, number)));
   }
   if (number == 0 && all.size() > 200)
-    throw UsageError(path_text(path_) + " is no record of a batch: choose another folder for -o");
+    throw UsageError(say("%1 is no record of a batch: choose another folder for the results", path_text(path_)));
   if (whole < all.size()) file_.cut(whole);
   if (number == 0) append({{"loopmend_batch", ledger_version}});
 }
@@ -134,8 +138,9 @@ std::optional<fs::path> Ledger::foreign_file(const std::string& name) const {
 }
 
 std::optional<fs::path> Ledger::foreign_summary() const {
-  for (const char* name : {"summary.csv", "summary.html"})
-    if (!summary_is_ours_ && state_of(folder_ / name)) return folder_ / name;
+  const ResultFiles files = result_files(folder_);
+  for (const fs::path& path : {files.table, files.page})
+    if (!summary_is_ours_ && state_of(path)) return path;
   return {};
 }
 

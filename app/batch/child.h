@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This program once more, as a child process: what goes wrong there takes one scan only. In child_posix.cpp and child_windows.cpp.
+// `loopmend` as a child process: what goes wrong there takes one scan only. In child_posix.cpp and child_windows.cpp.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,11 +16,13 @@ struct ChildEnd {
 };
 
 /// Runs from its construction on. Its standard output goes nowhere. It ends when this process dies, of whatever,
-/// where the system lets that be asked for: on Linux by SIGTERM, on Windows at once.
+/// where the system lets that be asked for: on Linux by SIGTERM, also at the end of the thread that made it; on Windows
+/// at once.
 class Child {
  public:
+  /// @param program    its file; empty: this program once more
   /// @param arguments  behind the name of the program. @throws Error where the system starts no process.
-  explicit Child(const std::vector<std::string>& arguments);
+  Child(const std::filesystem::path& program, const std::vector<std::string>& arguments);
   /// Kills it where it still runs.
   ~Child();
   Child(const Child&) = delete;

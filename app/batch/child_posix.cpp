@@ -30,7 +30,9 @@ namespace {
 constexpr off_t most_said = 4096;  ///< bytes that are kept of what a child says
 
 /// In the child, before the program: only what POSIX allows there.
-[[noreturn]] void become(const char* program, char* const* arguments, pid_t parent, int said, const sigset_t& signals) {
+/// @param otherwise  a second try; may be null
+[[noreturn]] void become(const char* program, const char* otherwise, char* const* arguments, pid_t parent, int said,
+                         const sigset_t& signals) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
     struct sigaction before {};
     if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) std::signal(signal, SIG_DFL);
@@ -46,7 +48,7 @@ constexpr off_t most_said = 4096;  ///< bytes that are kept of what a child says
   if (nothing > STDERR_FILENO) close(nothing);
   sigprocmask(SIG_SETMASK, &signals, nullptr);
   execv(program, arguments);
-  execv("/proc/self/exe", arguments);  // the same program where its file was replaced meanwhile
+  if (otherwise != nullptr) execv(otherwise, arguments);
   _exit(127);
 }
 
@@ -93,21 +95,27 @@ struct Child::Process {
   }
 };
 
-Child::Child(const std::vector<std::string>& arguments) : process_(std::make_unique<Process>()) {
-  std::signal(SIGCHLD, SIG_DFL);  // ignored, as some callers leave it, the children's ends would not be reported
+Child::Child(const std::filesystem::path& program, const std::vector<std::string>& arguments)
+    : process_(std::make_unique<Process>()) {
+  struct sigaction of_children {};
+  // Ignored, as some callers leave it, the children's ends would not be reported. A handler, as Qt has one, stays.
+  if (sigaction(SIGCHLD, nullptr, &of_children) == 0 && of_children.sa_handler == SIG_IGN)
+    std::signal(SIGCHLD, SIG_DFL);
   std::vector<char*> words{const_cast<char*>("loopmend")};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
-  const std::string program = own_file();
+  const std::string file = program.empty() ? own_file() : program.string();
+  // The same program where its file was replaced meanwhile.
+  const char* otherwise = program.empty() ? "/proc/self/exe" : nullptr;
   // A signal to the child between fork and exec must not meet our handlers there: it would be lost.
   sigset_t all, before;
   sigfillset(&all);
-  sigprocmask(SIG_SETMASK, &all, &before);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
   const pid_t parent = getpid();
   process_->id = process_->said < 0 ? -1 : fork();
   const int error = errno;
-  if (process_->id == 0) become(program.c_str(), words.data(), parent, process_->said, before);
-  sigprocmask(SIG_SETMASK, &before, nullptr);
+  if (process_->id == 0) become(file.c_str(), otherwise, words.data(), parent, process_->said, before);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
   if (process_->id > 0) return;
   throw Error(say("the system starts no further process: %1. A smaller --jobs needs fewer.", std::strerror(error)));
 }

@@ -2,7 +2,9 @@
 // Which scans a batch fills, and how their outputs are named.
 #pragma once
 
-#include "batch_command.h"
+#include "batch_job.h"
+
+#include "core/message.h"
 
 #include <filesystem>
 #include <string>
@@ -14,7 +16,7 @@ struct Scan {
   std::filesystem::path input;
   std::string name;                  ///< of the output, with the folders above it; no two scans have the same
   std::vector<std::string> options;  ///< of fill: those of the batch, then its own
-  std::string fault;                 ///< why it cannot be tried; mostly empty
+  Message fault;                     ///< why it cannot be tried; mostly empty
 };
 
 /// Files as they are named, the meshes of folders and of the folders in them, and the lines of manifests, without the folder of
@@ -22,6 +24,6 @@ struct Scan {
 /// them.
 /// @throws UsageError for a manifest that is none, an input among the results, two scans with one output, and where there is no
 /// scan at all.
-std::vector<Scan> list_scans(const BatchCommand& command);
+std::vector<Scan> list_scans(const BatchJob& job);
 
 }  // namespace loopmend

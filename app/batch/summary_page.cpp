@@ -68,11 +68,11 @@ std::string listed(const std::vector<std::string>& remarks) {
 }
 
 std::string row_html(const fs::path& folder, const SummaryRow& row, std::size_t number) {
-  const std::string& name = row.scan->name;
+  const std::string& name = row.scan.name;
   std::string html =
       "<tr id='s" + std::to_string(number) + "' data-status='" + row.status() + "'>" + cell(static_cast<long>(number));
   std::string files;
-  if (row.end->has_mesh())
+  if (row.end.has_mesh())
     files = "<br>" + link("filled/" + name, "mesh") + " " + link("reports/" + name + ".json", "report");
   html += cell("<b>" + escaped(name) + "</b>" + files) + "<td class='status'>" + row.status() + "</td>";
   if (row.figures) {
@@ -83,11 +83,11 @@ std::string row_html(const fs::path& folder, const SummaryRow& row, std::size_t 
           static_cast<long>(f.failed), static_cast<long>(f.left), f.new_vertices})
       html += cell(count);
     html +=
-        cell("%.1f", f.angle_rms) + cell("%.1f", f.angle_max) + cell("%.1f", row.end->seconds) + cell("%.0f", f.memory);
+        cell("%.1f", f.angle_rms) + cell("%.1f", f.angle_max) + cell("%.1f", row.end.seconds) + cell("%.0f", f.memory);
   } else {
     for (int k = 0; k < 13; ++k) html += "<td></td>";  // so that a click on a header sorts by it
   }
-  html += cell(listed(row.remarks()));
+  html += cell(listed(english(row.remarks())));
   const std::string png = row.picture.empty() ? std::string() : bytes_of(folder / row.picture);
   html += png.empty()
               ? cell("")
@@ -149,8 +149,8 @@ std::string to_look_at(const std::vector<SummaryRow>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string status = rows[k].status();
     if ((status != "look" && status != "error") || ++count > most) continue;
-    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + escaped(rows[k].scan->name) + "</a> (" + status + ") " +
-            listed(rows[k].remarks()) + "</li>\n";
+    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + escaped(rows[k].scan.name) + "</a> (" + status + ") " +
+            listed(english(rows[k].remarks())) + "</li>\n";
   }
   if (count > most) list += "<li>" + std::to_string(count - most) + " more</li>\n";
   return count == 0 ? std::string() : "<h2>To look at</h2>\n<ul>\n" + list + "</ul>\n";

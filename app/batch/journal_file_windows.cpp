@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal_file.h"
 
-#include "cli/commands.h"
 #include "core/path_text.h"
+#include "usage_error.h"
 
 #include <windows.h>
 
@@ -25,8 +25,9 @@ JournalFile::JournalFile(const std::filesystem::path& path)
                                                           nullptr, OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr))) {
   if (handle_of(file_) != INVALID_HANDLE_VALUE) return;
   if (::GetLastError() == ERROR_SHARING_VIOLATION)
-    throw UsageError("another batch is at work in " + path_text(path.parent_path()) + ": wait for its end, or stop it");
-  throw WriteError(path, verbatim(last_reason()), say("Choose another folder for -o."));
+    throw UsageError(
+        say("another batch is at work in %1: wait for its end, or stop it", path_text(path.parent_path())));
+  throw WriteError(path, verbatim(last_reason()), say("Choose another folder for the results."));
 }
 
 JournalFile::~JournalFile() { ::CloseHandle(handle_of(file_)); }

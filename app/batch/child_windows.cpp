@@ -78,18 +78,20 @@ struct Child::Process {
   HandleOwner said{temporary_file()};  ///< takes its standard error
 };
 
-Child::Child(const std::vector<std::string>& arguments) : process_(std::make_unique<Process>()) {
-  std::array<wchar_t, 32768> program{};
-  ::GetModuleFileNameW(nullptr, program.data(), static_cast<DWORD>(program.size()));
-  std::wstring line = quoted(program.data());
+Child::Child(const std::filesystem::path& program, const std::vector<std::string>& arguments)
+    : process_(std::make_unique<Process>()) {
+  std::array<wchar_t, 32768> own{};
+  ::GetModuleFileNameW(nullptr, own.data(), static_cast<DWORD>(own.size()));
+  const std::wstring file = program.empty() ? std::wstring(own.data()) : program.wstring();
+  std::wstring line = quoted(file);
   for (const std::string& argument : arguments) line += L" " + quoted(path_of_text(argument).wstring());
   STARTUPINFOW start{};
   start.cb = sizeof start;
   start.dwFlags = STARTF_USESTDHANDLES;
   start.hStdError = process_->said.handle;
   PROCESS_INFORMATION made{};
-  if (::CreateProcessW(program.data(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW | CREATE_SUSPENDED,
-                       nullptr, nullptr, &start, &made) == 0)
+  if (::CreateProcessW(file.c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW | CREATE_SUSPENDED, nullptr,
+                       nullptr, &start, &made) == 0)
     throw Error(say("the system starts no further process: %1. A smaller --jobs needs fewer.",
                     std::system_category().message(static_cast<int>(::GetLastError()))));
   process_->process.handle = made.hProcess;

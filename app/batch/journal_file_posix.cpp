@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal_file.h"
 
-#include "cli/commands.h"
 #include "core/path_text.h"
+#include "usage_error.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -29,12 +29,13 @@ JournalFile::JournalFile(const std::filesystem::path& path)
     : path_(path),
       file_(open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
   const int file = static_cast<int>(file_);
-  if (file < 0) throw WriteError(path, verbatim(std::strerror(errno)), say("Choose another folder for -o."));
+  if (file < 0) throw WriteError(path, verbatim(std::strerror(errno)), say("Choose another folder for the results."));
   if (flock(file, LOCK_EX | LOCK_NB) == 0) return;
   const bool busy = errno == EWOULDBLOCK;
   close(file);
   if (busy)
-    throw UsageError("another batch is at work in " + path_text(path.parent_path()) + ": wait for its end, or stop it");
+    throw UsageError(
+        say("another batch is at work in %1: wait for its end, or stop it", path_text(path.parent_path())));
   throw WriteError(path, say("the file system cannot lock the file"), say("Choose a folder on another one."));
 }
 

@@ -23,21 +23,21 @@ struct ScanFigures {
   double seconds = 0;                          ///< of the work, without the start of the process
   double memory = 0;                           ///< at most, MB
   std::optional<double> likely_off;            ///< of the patch that is likely farthest from what was there; mesh units
-  std::vector<std::string> remarks;            ///< what is said of loops that are open or not good, each once
+  std::vector<Message> remarks;                ///< what is said of loops that are open or not good, each once
 
   /// The worst of the patches: "good", "look", "bad"; empty where there is none.
   const char* verdict() const { return bad > 0 ? "bad" : look > 0 ? "look" : filled > 0 ? "good" : ""; }
 };
 
 struct SummaryRow {
-  const Scan* scan = nullptr;
-  const ScanEnd* end = nullptr;
+  Scan scan;
+  ScanEnd end;
   std::optional<ScanFigures> figures;  ///< nothing where there is no report
   std::string picture;                 ///< as the page names it; empty: there is none
 
   /// "filled", "nothing" (no loop was filled, and none should have been), "look", "error" or "waiting".
   const char* status() const;
-  std::vector<std::string> remarks() const;
+  std::vector<Message> remarks() const;
 };
 
 struct SummaryCounts {
@@ -48,9 +48,11 @@ struct SummaryCounts {
   int as_before = 0;  ///< of the first three, those that an earlier run did
 };
 
-std::vector<SummaryRow> summary_rows(const std::filesystem::path& folder, const std::vector<Scan>& scans,
-                                     const std::vector<ScanEnd>& ends);
+/// Reads the report of the scan.
+SummaryRow summary_row(const std::filesystem::path& folder, const Scan& scan, const ScanEnd& end);
 SummaryCounts counts_of(const std::vector<SummaryRow>& rows);
+
+std::vector<std::string> english(const std::vector<Message>& remarks);
 
 std::string summary_csv(const std::vector<SummaryRow>& rows);
 
