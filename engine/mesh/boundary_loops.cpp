@@ -32,6 +32,9 @@ constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
 /// So does a boundary that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
 /// mask, or a ragged scan seen from one side, however its boundary turns.
 constexpr double whole_extent = 0.84, sheet_depth = 0.475, straight_on = 0.9;
+/// A plane boundary behind which the surface reaches far is where something was cut, as a bell or a base with torn triangles at its
+/// boundary, however it turns. Of the loops of 60 shared scans and cases one is plane, turns and has an extent below 0.84.
+constexpr double plane_cut = 0.01;
 /// Along a long part, a slot that turns as a hole does is measured across: a rod is open there up to 75° on both sides. The outline of a
 /// shared face (0.8 wide) turns so, too.
 constexpr double widest_slot = 0.5;
@@ -149,8 +152,12 @@ void count_coincident(const SurfaceModel& model, std::vector<BoundaryLoop>& loop
   }
 }
 
+bool is_cut_off(const BoundaryLoop& loop) {
+  return loop.planarity <= plane_cut && (loop.extent <= whole_extent || loop.depth >= sheet_depth);
+}
+
 bool turns_like_a_sheet(const BoundaryLoop& loop) {
-  return loop.turning > outer_rim_turning && loop.extent > least_extent_of_a_turn;
+  return loop.turning > outer_rim_turning && loop.extent > least_extent_of_a_turn && !is_cut_off(loop);
 }
 
 bool runs_round_a_sheet(const BoundaryLoop& loop) {

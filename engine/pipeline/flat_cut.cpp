@@ -131,6 +131,10 @@ class Profiles {
   }
 
   double steepness_of_face(std::size_t k) const { return facing_.conormals[k].dot(axis_); }
+  /// Whether the surface leaves the loop away from its center, as the wall of a bell.
+  bool flares_at(std::size_t k) const {
+    return facing_.conormals[k].dot(facing_.center - mesh_.point(TriMesh::VertexHandle(loop_.vertices[k]))) < 0;
+  }
 
   /// Adds the faces behind one loop vertex, up to half the reach, since a low wall may end beyond.
   void add_faces_behind(std::size_t k, NormalsOfWall& wall) const {
@@ -255,6 +259,7 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   if (facing.axis.isZero()) return LoopEnd::runs_on;
   const Profiles profiles(model, loop, facing);
   std::vector<double> steepness, curvatures, noise, steepness_of_faces;
+  std::size_t flaring = 0;
   NormalsOfWall wall;
   const std::size_t stride = 1 + loop.vertices.size() / most_fits;
   for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
@@ -265,6 +270,7 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
       noise.push_back(profile.noise);
     }
     steepness_of_faces.push_back(profiles.steepness_of_face(k));
+    flaring += profiles.flares_at(k);
     profiles.add_faces_behind(k, wall);
   }
   const bool flat = loop.planarity <= flat_planarity;
@@ -279,6 +285,11 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   // Without profiles the wall is known by single faces only, as of a coarse box: it has to stand upright on a flat loop.
   const bool known = 2 * curvatures.size() >= steepness.size();
   const double usual = median(steepness);
+  // What goes on outward, and does not turn back as the wall of a bowl, cannot close the loop.
+  const bool flares = static_cast<double>(flaring) >= (1 - torn_share) * static_cast<double>(steepness.size()) &&
+                      (straight || (known && quantile(curvatures, 0.75) < 0));
+  if (flares && loop.planarity <= exact_planarity && median(steepness_of_faces) > least_steep_edge)
+    return LoopEnd::flat;
   if (!known && (!flat || usual < upright)) return LoopEnd::runs_on;
   for (double& curvature : curvatures) curvature *= facing.radius / usual;  // of that of a ball
   if (loop.planarity <= exact_planarity && rounds_into_plane(usual, curvatures)) return LoopEnd::flat;

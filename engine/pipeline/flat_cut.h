@@ -15,11 +15,11 @@ enum class LoopEnd {
 
 /// `flat` where the loop is nearly plane (planarity up to 0.03), the surface meets its plane steeply on one side along
 /// nine tenths of the loop or more, and it does not bend towards closing there as a ball through the loop would, on one
-/// quadric that goes on behind. At a hole whose loop is not quite plane the wall has to be steeper. An upright wall
-/// that does not turn ends whatever its corners; at a loop that is not nearly plane, of planarity up to 0.1, it is
-/// `curved`. So are the other walls of outer rims: of holes in natural surfaces, those with such loops mostly run on.
-/// The surface is read from fits behind the loop, so that noise does not decide; which side of it is out does not
-/// matter.
+/// quadric that goes on behind. A wall that flares ends at a plane loop, however little it leans. At a hole whose loop
+/// is not quite plane the wall has to be steeper. An upright wall that does not turn ends whatever its corners; at a
+/// loop that is not nearly plane, of planarity up to 0.1, it is `curved`. So are the other walls of outer rims: of
+/// holes in natural surfaces, those with such loops mostly run on. The surface is read from fits behind the loop, so
+/// that noise does not decide; which side of it is out does not matter.
 LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop);
 
 /// Distance from the loop within which loop_end() reads the surface, mesh units; 0 where the loop's own shape decides.

@@ -259,6 +259,20 @@ TEST(BoundaryLoops, ALongSlotInALongClosedPartIsAHole) {
   EXPECT_EQ(opened([](const Vec3& p) { return p.x() > -0.5; }), LoopKind::outer_rim);
 }
 
+/// The wall flares at the boundary, so that it turns like the outline of a sheet.
+TEST(BoundaryLoops, ThePlaneEndOfABellIsAHole) {
+  const auto kind_at = [](double height) {
+    const auto flared = [](double z) { return 0.3 + 0.7 * z * z; };
+    TriangleSoup soup = make_revolution(flared, 0, 1, 64, 30);
+    for (Vec3& p : soup.points) p.z() *= height;
+    const std::vector<BoundaryLoop> loops = find_boundary_loops(make_surface_model(soup));
+    EXPECT_GT(loops.at(0).turning, 0.6);
+    return loops.at(0).kind;
+  };
+  for (const double height : {1.0, 1.2}) EXPECT_EQ(kind_at(height), LoopKind::hole) << height;
+  EXPECT_EQ(kind_at(0.4), LoopKind::outer_rim);
+}
+
 TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   const auto cap = [](double height) {
     return find_boundary_loops(

@@ -66,6 +66,13 @@ TEST(FlatCut, IsTheBaseOfAStandingFigure) {
     }
 }
 
+TEST(FlatCut, IsTheMouthOfABellThatFlares) {
+  for (const double slope : {0.7, 1.5, 3.0}) {  // of the radius over the height, at the mouth
+    const SurfaceModel bell = open_above([=](double z) { return 0.6 + slope * z * z / 4; }, 2);
+    EXPECT_EQ(loop_end(bell, upper(bell)), LoopEnd::flat) << slope;
+  }
+}
+
 /// Corners, and rows so wide that a wall has only two or three of them.
 TEST(FlatCut, IsTheTopOfAnOpenBoxAndTheEndOfAFewRows) {
   for (const int cells : {4, 8})

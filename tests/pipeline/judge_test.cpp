@@ -135,6 +135,8 @@ TEST(Judge, DoesNotBlameACapForASliverOfItsWall) {
         int& apex = patch.triangles[f][(k + 2) % 3];  // a vertex of its own, over the cap
         patch.positions.push_back(
             patch.to_frame(0.7 * patch.to_mesh((patch.positions[a] + patch.positions[b]) / 2) + Vec3(0, 0, 0.2)));
+        patch.ring.push_back(1);
+        patch.view_vertex.push_back(patch.view_vertex.back());
         apex = patch.vertex_count() - 1;
         --slivers;
         break;
