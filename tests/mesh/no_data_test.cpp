@@ -23,6 +23,14 @@ TEST(NoData, FindsTheVerticesOfTheMark) {
   }
 }
 
+TEST(NoData, FindsTheLowestFloatInFewerDigits) {
+  for (const double mark : {-3.4e38, -3.40282e38, -3.4028235e38}) {
+    Points points = terrain(400);
+    points[17].z() = mark;
+    EXPECT_EQ(find_no_data(points).vertices, std::vector<int>{17}) << mark;
+  }
+}
+
 TEST(NoData, LeavesWhatIsASurface) {
   EXPECT_TRUE(find_no_data(terrain(400)).vertices.empty());
   EXPECT_TRUE(find_no_data(terrain(-9999)).vertices.empty());  // the lowest of many heights
