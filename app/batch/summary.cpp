@@ -74,7 +74,7 @@ Message sentence_of(const nlohmann::json& verdict) {
     const auto code = notice_code_of(finding.at("code").get<std::string>());
     if (!code) continue;
     Notice& notice = found.findings.emplace_back(Notice{*code, {}});
-    for (const nlohmann::json& argument : finding.at("arguments"))  // JSON has null for what is no number
+    for (const nlohmann::json& argument : finding.at("arguments"))  // JSON has null in place of NaN and infinity
       notice.arguments.push_back(argument.is_number() ? argument.get<double>() : std::nan(""));
   }
   Message message = found.message();

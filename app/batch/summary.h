@@ -23,7 +23,7 @@ struct ScanFigures {
   double seconds = 0;                          ///< of the work, without the start of the process
   double memory = 0;                           ///< at most, MB
   std::optional<double> likely_off;            ///< of the patch that is likely farthest from what was there; mesh units
-  std::vector<Message> remarks;                ///< what is said of loops that are open or not good, each once
+  std::vector<Message> remarks;                ///< on loops that are open or not good, each once
 
   /// The worst of the patches: "good", "look", "bad"; empty where there is none.
   const char* verdict() const { return bad > 0 ? "bad" : look > 0 ? "look" : filled > 0 ? "good" : ""; }

@@ -66,7 +66,7 @@ void BatchDialog::build() {
   layout->addWidget(words_);
   auto* buttons = make_dialog_buttons(QDialogButtonBox::Close);
   start_ = make_button("batchStart", tr("&Start"), tr("Fill the scans of the folder that are not complete"));
-  stop_ = make_button("batchStop", tr("S&top"), tr("End the scans that are being filled; what is done stays (Esc)"));
+  stop_ = make_button("batchStop", tr("S&top"), tr("End the scans that are being filled; finished ones stay (Esc)"));
   report_ = make_button("batchReport", tr("&Open report"), tr("Show the page of all scans in the web browser"));
   copy_ = make_button("batchCopy", tr("&Copy command line"), tr("Copy the command that does the same"));
   buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Return starts, and never closes
@@ -106,7 +106,8 @@ QWidget* BatchDialog::build_choices() {
   input_ = new QLineEdit;
   explain(input_, "batchInput", of_scans, tr("Every mesh in it and in the folders in it is filled"));
   output_ = new QLineEdit;
-  explain(output_, "batchOutput", of_results, tr("Made if need be; what is complete there is not filled again"));
+  explain(output_, "batchOutput", of_results,
+          tr("Created where it does not exist; finished scans in it are not filled again"));
   format_ = new QComboBox;
   explain(format_, "batchFormat", tr("Format"), tr("Format of the filled scans"));
   format_->addItem(tr("That of each scan"), QString());

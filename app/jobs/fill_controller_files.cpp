@@ -370,10 +370,10 @@ void FillController::export_to(const QString& path, const ExportChoice& choice) 
       job,
       [this, job, task = export_task(document_, file_path(path), choice)] {
         static constexpr int parts = 200;  // of the bar
-        int told = -1;
+        int sent = -1;
         const auto tell = [&](double share) {
           const int part = static_cast<int>(parts * share);
-          if (std::exchange(told, part) == part) return;
+          if (std::exchange(sent, part) == part) return;
           job->post([this, share, part] {
             Q_EMIT progress_changed(part, parts);
             Q_EMIT share_done(share);

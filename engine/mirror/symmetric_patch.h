@@ -11,7 +11,7 @@ namespace loopmend {
 /// Whether the patch's loop has vertices on both sides of the plane.
 bool lies_across(const Patch& patch, const MirrorPlane& plane);
 
-/// The patch moved towards its own mirror image: most where the image is nearer than the patch to what is known.
+/// The patch moved towards its own mirror image: most where the image is nearer than the patch to the known surface.
 /// @param patch with one loop. @param index of the model's soup triangles. @returns none without an image, or when
 /// cancelled.
 std::optional<Patch> symmetric_patch(const SurfaceModel& model, const TriangleIndex& index, const Patch& patch,

@@ -45,11 +45,10 @@ void take_rolled_back(const AttemptContext& context, const Patch& start, const E
   result.seams = std::move(seams);
   result.verdicts = std::move(verdicts);
   result.energy.final = energy_of(result.patch, evolution.options().flow);
-  result.message =
-      say("the patch would have folded or cut the surface at a few places: there, at %1 of its %2 vertices, it goes "
-          "back towards what it set out from",
-          rollback->moved, result.patch.free_count)
-          .with_code("rolled_back");
+  result.message = say("at %1 of its %2 vertices the patch was moved back towards its start, since it folded or cut "
+                       "the surface there",
+                       rollback->moved, result.patch.free_count)
+                       .with_code("rolled_back");
 }
 
 struct CheckedPatch {

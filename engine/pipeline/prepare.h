@@ -21,7 +21,7 @@ namespace loopmend {
 
 struct PrepareOptions {
   /// Whether cutting of missing data, stitching, repair and trimming of what crosses are done where the mesh needs them,
-  /// beside what is asked for.
+  /// beside the options that are set.
   enum class Extent { as_asked, where_needed } extent = Extent::as_asked;
   enum class Sides { as_given, turned } sides = Sides::as_given;  ///< turned: every face looks the other way
   enum class Stitch { no, yes } stitch = Stitch::no;              ///< zip boundaries that nearly coincide

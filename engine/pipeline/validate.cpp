@@ -17,7 +17,8 @@ namespace loopmend {
 
 namespace {
 
-/// Of what is written: files of a scan that floats hold are mostly files of floats, and rounding can make thin triangles cross.
+/// The patch with the coordinates that its file will have: a scan that floats hold is mostly written as floats, and rounding can make
+/// thin triangles cross.
 PatchGeometry written_geometry(const ScanIndex& scan, const Patch& patch) {
   PatchGeometry geometry = patch_geometry(patch);
   if (scan.holds_as_floats)

@@ -46,7 +46,7 @@ bool may_be_an_inner_wall(const std::vector<Shell>& shells, const Shell& shell) 
   });
 }
 
-/// Shells of which it is known on which side their faces are, with what is needed to judge them.
+/// Shells whose outer side is known, with the data that judging them needs.
 struct KnownShells {
   std::vector<Shell> all;
   std::vector<Eigen::AlignedBox3d> of_others;  ///< that may be bodies or not

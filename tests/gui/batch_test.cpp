@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fill a folder: what the window writes is what `loopmend batch` writes, and what its table says is what is in the page.
+// Fill a folder: the window writes the bytes that `loopmend batch` writes, and its table agrees with the page.
 #include "driver.h"
 #include "test_main.h"
 
@@ -174,7 +174,7 @@ void BatchTest::the_window_writes_what_the_command_writes() {
     QCOMPARE(item.text(6).isEmpty(), fields[19].isEmpty());
   }
 
-  // Once more: nothing is left to do, and the filled scan opens in the window.
+  // A second run fills nothing, and the filled scan opens in the window.
   QVERIFY(QDir(path("results")).removeRecursively());
   QVERIFY(QDir().rename(path("of_window"), path("results")));
   press(*dialog, "batchStart");
@@ -221,20 +221,20 @@ void BatchTest::what_is_wrong_is_told_in_the_dialog() {
   Shown window;
   const QPointer<BatchDialog> dialog = opened(window);
   QVERIFY(dialog);
-  const auto told = [&](const QString& input, const QString& output) {
+  const auto message_of = [&](const QString& input, const QString& output) {
     dialog->set_folders(input, output);
     press(*dialog, "batchStart");
     wait_until([&] { return !window.batch().busy(); });
     return summary(*dialog);
   };
-  QCOMPARE(told(path("scans"), path("scans")), QStringLiteral("there is no scan in %1").arg(path("scans")));
-  QCOMPARE(told(path("none"), path("results")), QStringLiteral("There is no folder %1.").arg(path("none")));
+  QCOMPARE(message_of(path("scans"), path("scans")), QStringLiteral("there is no scan in %1").arg(path("scans")));
+  QCOMPARE(message_of(path("none"), path("results")), QStringLiteral("There is no folder %1.").arg(path("none")));
   QDir().mkpath(path("mine"));
   QFile mine(path("mine/summary.html"));
   QVERIFY(mine.open(QIODevice::WriteOnly));
   mine.write("mine");
   mine.close();
-  const QString refused = told(path("scans"), path("mine"));
+  const QString refused = message_of(path("scans"), path("mine"));
   QVERIFY2(refused.endsWith(QLatin1String("move it away, or tick Replace other files")), qPrintable(refused));
   QCOMPARE(bytes_of(path("mine/summary.html")), QByteArray("mine"));
   dialog->close();

@@ -57,7 +57,7 @@ void press(MainWindow& window, const char* button);
 bool press_and_wait(MainWindow& window, const char* button, double seconds = 240);
 /// Presses the button, which shows first what it would change, and lets it. @returns whether the change is made.
 bool press_and_apply(MainWindow& window, const char* button);
-/// Lets what is proposed be done, once it is.
+/// Applies the change that the preview proposes, once it is shown.
 bool apply_proposal(MainWindow& window);
 /// As from a menu.
 void trigger(MainWindow& window, const char* action);

@@ -80,7 +80,7 @@ TEST(MirrorImage, HasTheSameBitsForOneThreadAndTwo) {
 
 TEST(MirrorImage, BringsBackABumpUnderNoise) {
   const test::BumpyEllipsoid shape;
-  TriangleSoup noisy = shape.open_mesh(5, 0.32);  // the whole bump: what is left around it is smooth
+  TriangleSoup noisy = shape.open_mesh(5, 0.32);  // the whole bump: the surface around it is smooth
   constexpr double noise = 1e-3;
   Random random(5);
   for (Vec3& p : noisy.points)

@@ -115,14 +115,14 @@ TEST(Inpaint, StripesGoOnOverLargeGaps) {
 /// For an estimate of the time that is left.
 TEST(Inpaint, TellsHowFarItIs) {
   Scene made = grainy(500, 150);
-  std::vector<double> told;
-  inpaint_like(made.picture, made.pixels, {}, [&](double share) { told.push_back(share); });
-  ASSERT_GT(told.size(), 5u);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_GT(told.front(), 0);
-  EXPECT_LT(told.front(), 0.4);
-  EXPECT_GT(told.back(), 0.8);
-  EXPECT_LE(told.back(), 1);
+  std::vector<double> shares;
+  inpaint_like(made.picture, made.pixels, {}, [&](double share) { shares.push_back(share); });
+  ASSERT_GT(shares.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.front(), 0);
+  EXPECT_LT(shares.front(), 0.4);
+  EXPECT_GT(shares.back(), 0.8);
+  EXPECT_LE(shares.back(), 1);
 }
 
 TEST(Inpaint, IsTheSameForAnyNumberOfThreads) {
