@@ -68,6 +68,8 @@ void ProgressBox::build() {
   left_ = make_note("timeLeft");
   left_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   left_->setMinimumWidth(left_->fontMetrics().horizontalAdvance(labels::time_left(99 * 60)));
+  left_->setFixedHeight(
+      left_->fontMetrics().lineSpacing());  // with and without text, so that Cancel stays in its place
   auto* below = new QHBoxLayout;
   below->addWidget(bar_, 1);
   below->addWidget(left_);
