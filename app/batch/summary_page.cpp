@@ -3,6 +3,7 @@
 
 #include "core/version.h"
 #include "io/base64.h"
+#include "io/xml_text.h"
 
 #include <cstdio>
 #include <fstream>
@@ -13,23 +14,6 @@ namespace loopmend {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    if (c == '&')
-      html += "&amp;";
-    else if (c == '<')
-      html += "&lt;";
-    else if (c == '>')
-      html += "&gt;";
-    else if (c == '"')
-      html += "&quot;";
-    else
-      html += c;
-  }
-  return html;
-}
 
 /// A path as an address within the page's folder.
 std::string address(const std::string& path) {
@@ -49,7 +33,7 @@ std::string bytes_of(const fs::path& path) {
 }
 
 std::string link(const std::string& path, const std::string& words) {
-  return "<a href='" + address(path) + "'>" + escaped(words) + "</a>";
+  return "<a href='" + address(path) + "'>" + xml_text(words) + "</a>";
 }
 
 std::string cell(const std::string& content) { return "<td>" + content + "</td>"; }
@@ -63,7 +47,7 @@ std::string cell(const char* format, const std::optional<double>& value) {
 /// Nothing, one remark, or a list of them.
 std::string listed(const std::vector<std::string>& remarks) {
   std::string html;
-  for (const std::string& remark : remarks) html += "<li>" + escaped(remark) + "</li>";
+  for (const std::string& remark : remarks) html += "<li>" + xml_text(remark) + "</li>";
   return html.empty() ? html : "<ul>" + html + "</ul>";
 }
 
@@ -74,7 +58,7 @@ std::string row_html(const fs::path& folder, const SummaryRow& row, std::size_t 
   std::string files;
   if (row.end.has_mesh())
     files = "<br>" + link("filled/" + name, "mesh") + " " + link("reports/" + name + ".json", "report");
-  html += cell("<b>" + escaped(name) + "</b>" + files) + "<td class='status'>" + row.status() + "</td>";
+  html += cell("<b>" + xml_text(name) + "</b>" + files) + "<td class='status'>" + row.status() + "</td>";
   if (row.figures) {
     const ScanFigures& f = *row.figures;
     html += "<td class='" + std::string(f.verdict()) + "'>" + f.verdict() + "</td>" + cell("%.2g", f.likely_off);
@@ -149,7 +133,7 @@ std::string to_look_at(const std::vector<SummaryRow>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string status = rows[k].status();
     if ((status != "look" && status != "error") || ++count > most) continue;
-    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + escaped(rows[k].scan.name) + "</a> (" + status + ") " +
+    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + xml_text(rows[k].scan.name) + "</a> (" + status + ") " +
             listed(english(rows[k].remarks())) + "</li>\n";
   }
   if (count > most) list += "<li>" + std::to_string(count - most) + " more</li>\n";
@@ -166,7 +150,7 @@ std::string summary_page(const fs::path& folder, const std::vector<SummaryRow>& 
           std::to_string(counts.error) + " errors, " + std::to_string(counts.waiting) + " waiting; " +
           std::to_string(counts.as_before) +
           " of them were complete before this run. <a href='summary.csv'>summary.csv</a></p>\n<p>Loopmend " +
-          escaped(version()) + ": <code>" + escaped(command_line) + "</code></p>\n" + to_look_at(rows);
+          xml_text(version()) + ": <code>" + xml_text(command_line) + "</code></p>\n" + to_look_at(rows);
   html +=
       "<h2>All scans</h2>\n<form hidden><input name='word' type='search' placeholder='name or remark'> <select "
       "name='status'>"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/format_writers.h"
 #include "io/written_triangles.h"
+#include "io/xml_text.h"
 #include "io/zip_archive.h"
 
 #include <array>
@@ -22,34 +23,6 @@ constexpr std::string_view relations =
     "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
     "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
     "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
-
-/// As the value of an attribute or as text. What is no UTF-8 becomes "?".
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const auto c = static_cast<unsigned char>(text[k]);
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (c < ' ' && c != '\n' && c != '\t')
-      result += '?';
-    else if (c < 0x80)
-      result += text[k];
-    else {
-      const std::size_t size = c >= 0xF0 ? 4 : c >= 0xE0 ? 3 : 2;
-      bool valid = c >= 0xC2 && c <= 0xF4 && k + size <= text.size();
-      for (std::size_t i = 1; valid && i < size; ++i) valid = (static_cast<unsigned char>(text[k + i]) & 0xC0) == 0x80;
-      result += valid ? text.substr(k, size) : std::string_view("?");
-      if (valid) k += size - 1;
-    }
-  }
-  return result;
-}
 
 std::string hex(const Color& color) {
   constexpr std::string_view digits = "0123456789ABCDEF";
@@ -91,7 +64,7 @@ class ModelWriter {
     out << ">\n";
     for (const auto& [name, value] : materials_.metadata) {
       if (name.find(':') != std::string::npos) continue;  // of a namespace that is not there
-      out << " <metadata name=\"" << escaped(name) << "\">" << escaped(value) << "</metadata>\n";
+      out << " <metadata name=\"" << xml_text(name) << "\">" << xml_text(value) << "</metadata>\n";
     }
     out << " <metadata name=\"Application\">Loopmend</metadata>\n";
     out << " <resources>\n";
@@ -133,7 +106,7 @@ class ModelWriter {
     } else if (!materials_.materials.empty()) {
       out << "  <basematerials id=\"" << material_group << "\">\n";
       for (const ScanMaterial& material : materials_.materials)
-        out << "   <base name=\"" << escaped(material.name) << "\" displaycolor=\""
+        out << "   <base name=\"" << xml_text(material.name) << "\" displaycolor=\""
             << hex(material.color.value_or(Color{255, 255, 255, 255})) << "\"/>\n";
       out << "  </basematerials>\n";
     }
@@ -155,7 +128,7 @@ class ModelWriter {
       for (const std::size_t f : faces)
         for (const int v : triangles_[f].points) is_mine[v] = 1;
       out << "  <object id=\"" << first_object + objects << "\" type=\"model\"";
-      if (static_cast<int>(object) >= 0) out << " name=\"" << escaped(names.at(object)) << '"';
+      if (static_cast<int>(object) >= 0) out << " name=\"" << xml_text(names.at(object)) << '"';
       if (!colors_.empty())
         out << " pid=\"" << color_group << "\" pindex=\"0\"";
       else if (!materials_.materials.empty() && has_material(faces))

@@ -46,8 +46,8 @@ constexpr int fewest_samples = 8;
 /// A dome is missing where one quadric goes on behind the loop: of 21 balls, ellipsoids and parts of them, with noise of up to 0.4 %
 /// of their radius, it is off by 0 to 0.0025 diameters, of eleven standing figures and wavy bases that bend like a ball at their
 /// base alone by 0.006 to 0.046.
-constexpr double off_quadric = 0.005, noises_off_quadric = 1.5;
-constexpr std::size_t most_fits = 200, most_of_wall = 20000;
+constexpr double reach_of_quadric = 1.5, off_quadric = 0.005, noises_off_quadric = 1.5;
+constexpr std::size_t most_fits = 200;
 
 double reach_of(const BoundaryLoop& loop, const LoopFacing& facing) {
   const double edges = edges_of_fit * loop.perimeter / loop.edges();
@@ -153,17 +153,21 @@ class Profiles {
     wall.add(centers, normals);
   }
 
-  /// Whether one quadric, as a ball or an ellipsoid, goes through the vertices that are joined to the loop within its radius behind
-  /// its plane. @param noise  of these, rms, mesh units
+  /// Whether one quadric, as a ball or an ellipsoid, goes through the surface near the loop, up to a radius behind its plane.
+  /// @param noise  of the vertices, rms, mesh units
   bool is_quadric(double noise) const {
-    std::vector<int> queue = loop_.vertices;
-    std::set<int> seen(queue.begin(), queue.end());
+    constexpr std::size_t places = 8;  // along the loop
+    std::set<int> near;
+    for (std::size_t k = 0; k < places; ++k) {
+      const int v = loop_.vertices[k * loop_.vertices.size() / places];
+      const std::vector<int> around =
+          within(reach_of_quadric * facing_.radius, v, mesh_.point(TriMesh::VertexHandle(v)));
+      near.insert(around.begin(), around.end());
+    }
     Points points;
-    for (std::size_t q = 0; q < queue.size() && q < most_of_wall; ++q) {
-      points.push_back(mesh_.point(TriMesh::VertexHandle(queue[q])));
-      for (const auto w : mesh_.vv_range(TriMesh::VertexHandle(queue[q])))
-        if (std::abs(axis_.dot(mesh_.point(w) - facing_.center)) <= facing_.radius && seen.insert(w.idx()).second)
-          queue.push_back(w.idx());
+    for (const int v : near) {
+      const Vec3& p = mesh_.point(TriMesh::VertexHandle(v));
+      if (std::abs(axis_.dot(p - facing_.center)) <= facing_.radius) points.push_back(p);
     }
     const double diameter = 2 * facing_.radius;
     const auto surface = SideSurface::fit(points, axis_, diameter);
@@ -242,6 +246,39 @@ bool rounds_into_plane(double steepness, const std::vector<double>& shares) {
          quantile(shares, 0.25) > most_of_a_dome;
 }
 
+/// What the surface does along a loop.
+struct Wall {
+  std::vector<double> steepness,
+      of_faces;  ///< sine of the angle to the loop's plane: of fits, and of the faces at the loop
+  std::vector<double> curvatures, noise;  ///< of fits, where there are enough vertices
+  std::size_t flaring = 0;                ///< places where it leaves the loop away from its center
+  double turning = 0;                     ///< NormalsOfWall::turning()
+
+  bool is_known() const { return 2 * curvatures.size() >= steepness.size(); }
+  bool flares() const {
+    return static_cast<double>(flaring) >= (1 - torn_share) * static_cast<double>(steepness.size());
+  }
+};
+
+Wall read_wall(const Profiles& profiles, const BoundaryLoop& loop) {
+  Wall wall;
+  NormalsOfWall normals;
+  const std::size_t stride = 1 + loop.vertices.size() / most_fits;
+  for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
+    const Profile profile = profiles.at(k);
+    wall.steepness.push_back(profile.steepness);
+    if (profile.curvature) {
+      wall.curvatures.push_back(*profile.curvature);
+      wall.noise.push_back(profile.noise);
+    }
+    wall.of_faces.push_back(profiles.steepness_of_face(k));
+    wall.flaring += profiles.flares_at(k);
+    profiles.add_faces_behind(k, normals);
+  }
+  wall.turning = normals.turning();
+  return wall;
+}
+
 bool may_end(const BoundaryLoop& loop) {
   return loop.edges() >= fewest_edges && loop.diameter > 0 && loop.planarity <= most_planarity;
 }
@@ -250,7 +287,7 @@ bool may_end(const BoundaryLoop& loop) {
 
 double reach_of_loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   if (!may_end(loop)) return 0;
-  return reach_of(loop, loop_facing(model, loop));
+  return reach_of_quadric * loop_facing(model, loop).radius;  // the other reach is a radius at most
 }
 
 LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
@@ -258,43 +295,28 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   const LoopFacing facing = loop_facing(model, loop);
   if (facing.axis.isZero()) return LoopEnd::runs_on;
   const Profiles profiles(model, loop, facing);
-  std::vector<double> steepness, curvatures, noise, steepness_of_faces;
-  std::size_t flaring = 0;
-  NormalsOfWall wall;
-  const std::size_t stride = 1 + loop.vertices.size() / most_fits;
-  for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
-    const Profile profile = profiles.at(k);
-    steepness.push_back(profile.steepness);
-    if (profile.curvature) {
-      curvatures.push_back(*profile.curvature);
-      noise.push_back(profile.noise);
-    }
-    steepness_of_faces.push_back(profiles.steepness_of_face(k));
-    flaring += profiles.flares_at(k);
-    profiles.add_faces_behind(k, wall);
-  }
+  const Wall wall = read_wall(profiles, loop);
   const bool flat = loop.planarity <= flat_planarity;
   // Corners and the loop's own roundness bend the fits of profiles, but not the angle between faces and axis.
-  const double share_of_a_ball = wall.turning() * facing.radius / std::max(steep, median(steepness_of_faces));
+  const double share_of_a_ball = wall.turning * facing.radius / std::max(steep, median(wall.of_faces));
   const bool straight = share_of_a_ball < most_of_a_straight_wall;
-  if (straight && quantile(steepness_of_faces, torn_share) >= upright_all_along)
+  if (straight && quantile(wall.of_faces, torn_share) >= upright_all_along)
     return flat ? LoopEnd::flat : LoopEnd::curved;
-  if (straight && loop.planarity <= plane_cut && median(steepness_of_faces) >= steep &&
-      quantile(steepness_of_faces, torn_share) >= still_steep)
+  if (straight && loop.planarity <= plane_cut && median(wall.of_faces) >= steep &&
+      quantile(wall.of_faces, torn_share) >= still_steep)
     return LoopEnd::flat;
   // Without profiles the wall is known by single faces only, as of a coarse box: it has to stand upright on a flat loop.
-  const bool known = 2 * curvatures.size() >= steepness.size();
-  const double usual = median(steepness);
+  const bool known = wall.is_known();
+  const double usual = median(wall.steepness);
   // What goes on outward, and does not turn back as the wall of a bowl, cannot close the loop.
-  const bool flares = static_cast<double>(flaring) >= (1 - torn_share) * static_cast<double>(steepness.size()) &&
-                      (straight || (known && quantile(curvatures, 0.75) < 0));
-  if (flares && loop.planarity <= exact_planarity && median(steepness_of_faces) > least_steep_edge)
-    return LoopEnd::flat;
+  const bool flares = wall.flares() && (straight || (known && quantile(wall.curvatures, 0.75) < 0));
+  if (flares && loop.planarity <= exact_planarity && median(wall.of_faces) > least_steep_edge) return LoopEnd::flat;
   if (!known && (!flat || usual < upright)) return LoopEnd::runs_on;
-  for (double& curvature : curvatures) curvature *= facing.radius / usual;  // of that of a ball
-  if (loop.planarity <= exact_planarity && rounds_into_plane(usual, curvatures)) return LoopEnd::flat;
-  if (usual < steep || quantile(steepness, torn_share) < still_steep) return LoopEnd::runs_on;
-  if (is_dome(curvatures) && profiles.is_quadric(median(noise))) return LoopEnd::runs_on;
+  std::vector<double> shares = wall.curvatures;  // of that of a ball
+  for (double& share : shares) share *= facing.radius / usual;
+  if (loop.planarity <= exact_planarity && rounds_into_plane(usual, shares)) return LoopEnd::flat;
+  if (usual < steep || quantile(wall.steepness, torn_share) < still_steep) return LoopEnd::runs_on;
+  if (is_dome(shares) && profiles.is_quadric(median(wall.noise))) return LoopEnd::runs_on;
   const bool is_hole_in_a_hill =
       loop.kind != LoopKind::outer_rim && loop.planarity > plane_cut && usual < steep_if_not_plane;
   if (is_hole_in_a_hill) return LoopEnd::runs_on;
