@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -23,31 +24,66 @@ namespace loopmend {
 
 namespace {
 
-/// A piece of at most so many faces and of at most this share of the largest one's extent is a fragment of the scan.
+/// A component of at most so many faces and of at most this share of the largest one's extent is a fragment of the scan.
 constexpr int most_faces_of_a_fragment = 10;
 constexpr double extent_of_a_fragment = 0.05;
+constexpr double area_of_a_fin = 0.05;  ///< the same for the area of one that hangs at an edge of others
 /// Openings of a body that is closed but for small holes, as a part of its area.
 constexpr double most_open_of_a_body = 0.05;
 constexpr int most_joins_of_separated = 10;  ///< 2 were the most in 24 scans
 
-/// For each view face whether its piece of surface is a fragment. @param pieces  is set to the number of fragments.
-std::vector<char> in_fragments(const TriMesh& mesh, std::size_t& pieces) {
-  const std::vector<int> piece = pieces_of(mesh);
-  std::vector<int> faces(piece.size(), 0);
-  std::vector<Eigen::AlignedBox3d> box(piece.size());
-  for (const auto face : mesh.faces()) {
-    ++faces[piece[face.idx()]];
-    for (const auto v : mesh.fv_range(face)) box[piece[face.idx()]].extend(mesh.point(v));
+/// For each component whether it is open and hangs at an edge where others have two faces or more.
+std::vector<char> hanging(const SurfaceModel& model, const std::vector<int>& component) {
+  const std::vector<int> place = merged_by_place(model.soup.points);
+  const auto place_of = [&](TriMesh::VertexHandle v) { return place[model.soup_vertex[v.idx()]]; };
+  std::vector<char> is_open(component.size(), 0), hangs(component.size(), 0);
+  std::vector<std::array<int, 3>> edges;  // both ends, and the component of a face at it
+  for (const auto face : model.mesh.faces())
+    for (const auto h : model.mesh.fh_range(face)) {
+      const auto [a, b] =
+          std::minmax(place_of(model.mesh.from_vertex_handle(h)), place_of(model.mesh.to_vertex_handle(h)));
+      edges.push_back({a, b, component[face.idx()]});
+      if (model.mesh.is_boundary(model.mesh.opposite_halfedge_handle(h))) is_open[component[face.idx()]] = 1;
+    }
+  std::ranges::sort(edges);
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last =
+        std::find_if(first, edges.end(), [&](const auto& e) { return e[0] != (*first)[0] || e[1] != (*first)[1]; });
+    for (auto e = first; e != last; ++e) {
+      const auto own = std::count_if(first, last, [&](const auto& other) { return other[2] == (*e)[2]; });
+      if (last - first - own >= 2) hangs[(*e)[2]] = is_open[(*e)[2]];
+    }
+    first = last;
   }
-  const auto extent = [&](int p) { return faces[p] > 0 ? box[p].diagonal().norm() : 0.0; };
+  return hangs;
+}
+
+/// For each view face whether its component is a fragment. @param count  is set to the number of fragments.
+std::vector<char> in_fragments(const SurfaceModel& model, std::size_t& count) {
+  const TriMesh& mesh = model.mesh;
+  const std::vector<int> component = pieces_of(mesh);
+  const std::vector<char> hangs = hanging(model, component);
+  std::vector<int> faces(component.size(), 0);
+  std::vector<double> area(component.size(), 0);
+  std::vector<Eigen::AlignedBox3d> box(component.size());
+  for (const auto face : mesh.faces()) {
+    const int c = component[face.idx()];
+    ++faces[c];
+    area[c] += mesh.calc_face_area(face);
+    for (const auto v : mesh.fv_range(face)) box[c].extend(mesh.point(v));
+  }
+  const auto extent = [&](std::size_t c) { return faces[c] > 0 ? box[c].diagonal().norm() : 0.0; };
   double largest = 0;
-  for (int p = 0; p < static_cast<int>(faces.size()); ++p) largest = std::max(largest, extent(p));
-  const auto is_fragment = [&](int p) {
-    return faces[p] > 0 && faces[p] <= most_faces_of_a_fragment && extent(p) <= extent_of_a_fragment * largest;
-  };
-  for (int p = 0; p < static_cast<int>(faces.size()); ++p) pieces += is_fragment(p);
-  std::vector<char> result(piece.size());
-  for (std::size_t f = 0; f < piece.size(); ++f) result[f] = is_fragment(piece[f]);
+  for (std::size_t c = 0; c < faces.size(); ++c) largest = std::max(largest, extent(c));
+  const double largest_area = area.empty() ? 0 : std::ranges::max(area);
+  std::vector<char> is_fragment(faces.size(), 0), result(component.size());
+  for (std::size_t c = 0; c < faces.size(); ++c) {
+    if (faces[c] == 0 || faces[c] > most_faces_of_a_fragment) continue;
+    is_fragment[c] =
+        extent(c) <= extent_of_a_fragment * largest || (hangs[c] && area[c] <= area_of_a_fin * largest_area);
+    count += is_fragment[c];
+  }
+  for (std::size_t f = 0; f < component.size(); ++f) result[f] = is_fragment[component[f]];
   return result;
 }
 
@@ -346,7 +382,7 @@ void cut_handles(TriangleSoup& soup, RepairCounts& counts, const CancelToken& ca
 
 void remove_fragments(TriangleSoup& soup, RepairCounts& counts) {
   const SurfaceModel model = make_surface_model(soup);
-  const std::vector<char> fragment = in_fragments(model.mesh, counts.removed_pieces);
+  const std::vector<char> fragment = in_fragments(model, counts.removed_pieces);
   std::vector<char> gone(soup.triangles.size(), 0);
   for (std::size_t f = 0; f < fragment.size(); ++f) gone[model.soup_face[f]] = fragment[f];
   counts.removed_faces = remove(soup, gone);

@@ -24,7 +24,7 @@ enum class Defect {
   non_manifold,
   overlaps,   ///< closed bodies that overlap: united (unite_bodies.h)
   handles,    ///< of a few edges: cut open, which leaves two holes each to be filled
-  fragments,  ///< tiny pieces of surface: removed
+  fragments,  ///< tiny components, and small ones that hang at an edge of others: removed
 };
 
 /// What makes a manifold without removing anything that a person would miss.

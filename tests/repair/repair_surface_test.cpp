@@ -6,9 +6,11 @@
 #include "mesh/surface_model.h"
 #include "mesh/watertight.h"
 #include "samples/analytic_surfaces.h"
+#include "support/sharp_surfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace loopmend {
@@ -24,7 +26,7 @@ TEST(RepairSurface, LeavesASoundMeshAsItIs) {
   EXPECT_EQ(repaired.soup.triangles, soup.triangles);
 }
 
-TEST(RepairSurface, SeparatesAFinAndCountsWhatIsDegenerateOrTwice) {
+TEST(RepairSurface, RemovesAFinAndCountsWhatIsDegenerateOrTwice) {
   TriangleSoup soup = make_icosphere(3);
   const std::size_t sound = soup.triangles.size(), points = soup.points.size();
   const Triangle first = soup.triangles.front();
@@ -37,7 +39,8 @@ TEST(RepairSurface, SeparatesAFinAndCountsWhatIsDegenerateOrTwice) {
   EXPECT_EQ(repaired.counts.duplicate_faces, 1u);
   EXPECT_EQ(repaired.counts.separated_edges, 1u);
   EXPECT_EQ(repaired.counts.separated_vertices, 2u);
-  EXPECT_EQ(repaired.soup.triangles.size(), sound + 1);
+  EXPECT_EQ(repaired.counts.removed_pieces, 1u);
+  EXPECT_EQ(repaired.soup.triangles.size(), sound);
   EXPECT_EQ(repaired.soup.points.size(), points + 3);
   for (std::size_t v = 0; v <= points; ++v) EXPECT_EQ(repaired.soup.points[v], soup.points[v]);
   const ModelRepairs left = left_to_repair(repaired.soup);
@@ -101,6 +104,29 @@ TEST(RepairSurface, TurnsFacesAndRemovesFragments) {
   EXPECT_EQ(repaired.counts.removed_faces, 1u);
   EXPECT_EQ(repaired.soup.triangles.size(), 1280u);
   EXPECT_TRUE(find_boundary_loops(make_surface_model(repaired.soup)).empty());
+}
+
+/// A wall across a box is a part of it; a closed body that touches it along an edge, too.
+TEST(RepairSurface, KeepsLargeSheetsAndBodiesAtAnEdge) {
+  TriangleSoup soup = test::make_cube(4);
+  soup.points.emplace_back(2, 2, 0);
+  soup.points.emplace_back(2, 2, 1);
+  const auto at = [&](const Vec3& p) {
+    return static_cast<int>(std::ranges::find(soup.points, p) - soup.points.begin());
+  };
+  const int low = at(Vec3(1, 1, 0)), high = at(Vec3(1, 1, 0.25)), out = static_cast<int>(soup.points.size()) - 2;
+  ASSERT_LT(high, out);
+  soup.triangles.push_back({low, high, out});
+  soup.triangles.push_back({high, out + 1, out});  // a third of the cube's area with the next
+  EXPECT_EQ(repair_surface(soup).counts.removed_pieces, 0U);
+  TriangleSoup body = test::make_cube(4);
+  body.points.emplace_back(1.1, 1, 0.1);
+  body.points.emplace_back(1, 1.1, 0.1);
+  const int a = out, b = out + 1;
+  body.triangles.insert(body.triangles.end(), {{low, high, a}, {low, a, b}, {high, b, a}, {low, b, high}});
+  const RepairedSurface touching = repair_surface(body);
+  EXPECT_EQ(touching.counts.removed_pieces, 0U);
+  EXPECT_EQ(touching.soup.triangles.size(), body.triangles.size());
 }
 
 TEST(RepairSurface, FlatFoldGoesAndNothingOpens) {
