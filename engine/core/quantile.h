@@ -18,4 +18,23 @@ inline double quantile(std::vector<double> values, double share) {
 
 inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
+struct Weighted {
+  double value, weight;  ///< the weight at least 0
+};
+
+/// The value that a share, 0 to below 1, of all weights are below; 0 where there are none. Equal weights: as above.
+inline double quantile(std::vector<Weighted> values, double share) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values, {}, &Weighted::value);
+  double all = 0;
+  for (const Weighted& v : values) all += v.weight;
+  const double rounding = 1e-12 * all;
+  double left = share * all;
+  for (const Weighted& v : values)
+    if ((left -= v.weight) < -rounding) return v.value;
+  return values.back().value;
+}
+
+inline double median(std::vector<Weighted> values) { return quantile(std::move(values), 0.5); }
+
 }  // namespace loopmend

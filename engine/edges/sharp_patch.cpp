@@ -10,6 +10,8 @@
 #include "remeshing/patch_remesh.h"
 #include "remeshing/size_field.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,12 +77,25 @@ struct Assembly {
   std::vector<std::set<int>> sides;
 };
 
+/// Turned so that the outline is seen along one of the axes.
+Points seen_along_an_axis(Points outline) {
+  constexpr double along_an_axis = 0.95;
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    area += (outline[i] - outline[0]).cross(outline[(i + 1) % outline.size()] - outline[0]);
+  if (!(area.norm() > 0) || area.cwiseAbs().maxCoeff() > along_an_axis * area.norm()) return outline;
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(area, Vec3::UnitZ());
+  for (Vec3& p : outline) p = turn * p;
+  return outline;
+}
+
 /// Triangles of a part over places of its outline; none where it is not to be had.
 Triangles triangulated(const Points& outline, const SideSurface& surface) {
   std::vector<int> all(outline.size());
   std::iota(all.begin(), all.end(), 0);
   Points flat;
   for (const Vec3& p : outline) flat.push_back(surface.in_plane(p));
+  flat = seen_along_an_axis(std::move(flat));
   Triangles triangles = triangulate_seen_flat(flat, all);
   if (triangles.empty()) triangles = triangulate_loop(outline, {}, all, {}, TriangulationMethod::cubic);
   return triangles;

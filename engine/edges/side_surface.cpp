@@ -14,7 +14,10 @@ namespace {
 constexpr double least_rms = 1e-9;  ///< in units: below that, all fits are exact
 constexpr double penalty_quadratic = 0.35, penalty_third = 1;
 constexpr double rank_threshold = 1e-8;
+constexpr double weight_between = 1e-3;  ///< of middles of edges, beside 1 of the points
+constexpr double left_open = 1e-6;       ///< rms distance in units: two quadrics are both as near as that
 constexpr double singular = 0.1;  ///< of the mean ‖∇Q‖: two planes are a quadric, too, with ∇Q = 0 where they meet
+constexpr int fewest_for_quadric = 22, fewest_for_exact_quadric = 12;
 constexpr int foot_rounds = 12;
 constexpr double longest_foot_step = 0.2;
 
@@ -74,7 +77,8 @@ Eigen::Matrix3d axes_with(const Vec3& normal) {
 
 }  // namespace
 
-std::optional<SideSurface> SideSurface::fit(const Points& points, const Vec3& normal, double unit, Kinds kinds) {
+std::optional<SideSurface> SideSurface::fit(const Points& points, const Vec3& normal, double unit, Kinds kinds,
+                                            const Points& between) {
   if (points.size() < 3) return std::nullopt;
   SideSurface surface;
   for (const Vec3& p : points) surface.origin_ += p / static_cast<double>(points.size());
@@ -82,29 +86,43 @@ std::optional<SideSurface> SideSurface::fit(const Points& points, const Vec3& no
   surface.unit_ = unit;
   Points local;
   for (const Vec3& p : points) local.push_back(surface.local(p));
+  Points local_between;
+  for (const Vec3& p : between) local_between.push_back(surface.local(p));
   double best = std::numeric_limits<double>::infinity();
-  for (const Kind kind : {Kind::plane, Kind::quadratic, Kind::cubic}) surface.try_height_field(local, kind, best);
-  if (kinds == Kinds::all) surface.try_quadric(local, best);
+  for (const Kind kind : {Kind::plane, Kind::quadratic, Kind::cubic})
+    surface.try_height_field(local, local_between, kind, best);
+  if (kinds == Kinds::all) surface.try_quadric(local, local_between, best);
   if (!std::isfinite(best)) return std::nullopt;
   return surface;
 }
 
-void SideSurface::try_height_field(const Points& local, Kind kind, double& best) {
+void SideSurface::try_height_field(const Points& local, const Points& between, Kind kind, double& best) {
   const int terms = terms_of(kind), n = static_cast<int>(local.size());
   if (kind != Kind::plane && n < 2 * terms + 2) return;
+  const auto fill = [&](const Points& points, double weight, auto rows, auto heights) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      rows.row(row) = weight * height_monomials(points[i].x(), points[i].y()).head(terms).transpose();
+      heights[row] = weight * points[i].z();
+    }
+  };
   Eigen::MatrixXd A(n, terms);
   Eigen::VectorXd z(n);
-  for (int i = 0; i < n; ++i) {
-    A.row(i) = height_monomials(local[i].x(), local[i].y()).head(terms).transpose();
-    z[i] = local[i].z();
-  }
+  fill(local, 1, A.topRows(n), z.head(n));
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
   solver.setThreshold(rank_threshold);
   solver.compute(A);
+  if (solver.rank() < terms && !between.empty()) {
+    const auto m = static_cast<Eigen::Index>(between.size());
+    A.conservativeResize(n + m, terms);
+    z.conservativeResize(n + m);
+    fill(between, weight_between, A.bottomRows(m), z.tail(m));
+    solver.compute(A);
+  }
   if (solver.rank() < terms) return;
   Coefficients c = Coefficients::Zero();
   c.head(terms) = solver.solve(z);
-  const double rms = std::sqrt((z - A * c.head(terms)).squaredNorm() / std::max(1, n - terms));
+  const double rms = std::sqrt((z - A * c.head(terms)).head(n).squaredNorm() / std::max(1, n - terms));
   const double score = std::log(rms + least_rms) + (kind == Kind::plane       ? 0
                                                     : kind == Kind::quadratic ? penalty_quadratic
                                                                               : penalty_third);
@@ -116,9 +134,9 @@ void SideSurface::try_height_field(const Points& local, Kind kind, double& best)
 }
 
 /// Taubin 1991: Σ Q² least where Σ ‖∇Q‖² = 1. The constant is eliminated, which leaves a symmetric pencil of nine rows.
-void SideSurface::try_quadric(const Points& local, double& best) {
+void SideSurface::try_quadric(const Points& local, const Points& between, double& best) {
   const int n = static_cast<int>(local.size());
-  if (n < 22) return;
+  if (n < fewest_for_exact_quadric) return;
   Eigen::MatrixXd A(n, 9);
   Eigen::Matrix<double, 9, 9> N = Eigen::Matrix<double, 9, 9>::Zero();
   for (int i = 0; i < n; ++i) {
@@ -129,8 +147,15 @@ void SideSurface::try_quadric(const Points& local, double& best) {
   const Eigen::RowVectorXd mean = A.colwise().mean();
   const Eigen::MatrixXd centred = A.rowwise() - mean;
   N.diagonal().array() += 1e-12 * N.trace();
-  const Eigen::Matrix<double, 9, 9> M = centred.transpose() * centred;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> solver(M, N);
+  Eigen::Matrix<double, 9, 9> M = centred.transpose() * centred;
+  Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> solver(M, N);
+  if (solver.info() == Eigen::Success && !between.empty() && solver.eigenvalues()[1] < n * left_open * left_open) {
+    for (const Vec3& q : between) {
+      const Eigen::Matrix<double, 9, 1> row = weight_between * (quadric_monomials(q).tail<9>() - mean.transpose());
+      M += row * row.transpose();
+    }
+    solver.compute(M, N);
+  }
   if (solver.info() != Eigen::Success) return;
   Coefficients c;
   c.tail<9>() = solver.eigenvectors().col(0);
@@ -144,6 +169,7 @@ void SideSurface::try_quadric(const Points& local, double& best) {
   }
   if (!(least_slope > singular * mean_slope)) return;
   const double rms = std::sqrt(sum / (n - 9));
+  if (n < fewest_for_quadric && rms > left_open) return;
   const double score = std::log(rms + least_rms) + penalty_third;
   if (!(score < best)) return;
   best = score;

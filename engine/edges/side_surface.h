@@ -19,9 +19,10 @@ class SideSurface {
   enum class Kinds { all, height_fields };
 
   /// @param normal  unit, of the side. @param unit  length that the fit is made in: about the extent of the hole
+  /// @param between  middles of edges: they decide where the points leave a surface open, as the vertices of a wall of one row do
   /// @returns nothing for fewer than three points, or where all lie on one line.
-  static std::optional<SideSurface> fit(const Points& points, const Vec3& normal, double unit,
-                                        Kinds kinds = Kinds::all);
+  static std::optional<SideSurface> fit(const Points& points, const Vec3& normal, double unit, Kinds kinds = Kinds::all,
+                                        const Points& between = {});
 
   Kind kind() const { return kind_; }
   double rms() const { return rms_; }  ///< distance of the points, degrees of freedom taken off
@@ -39,8 +40,8 @@ class SideSurface {
   Vec3 local(const Vec3& p) const { return axes_.transpose() * (p - origin_) / unit_; }
   Vec3 foot_on_height_field(const Vec3& q) const;
   Vec3 foot_on_quadric(const Vec3& q) const;
-  void try_height_field(const Points& local, Kind kind, double& best);
-  void try_quadric(const Points& local, double& best);
+  void try_height_field(const Points& local, const Points& between, Kind kind, double& best);
+  void try_quadric(const Points& local, const Points& between, double& best);
   double distance(Kind kind, const Coefficients& c, const Vec3& q) const;
 
   Vec3 origin_ = Vec3::Zero();

@@ -16,6 +16,8 @@ namespace loopmend {
 namespace {
 
 constexpr double sharp_medians = 4;
+constexpr double flat_deg =
+    0.1;  ///< an edge that bends by less is a diagonal of a plane facet, and lies off a curved surface
 constexpr int small_group = 6;  ///< faces: such a group is noise, unless its faces are large
 constexpr std::size_t most_sides = 8;
 constexpr double least_coverage = 0.9;  ///< share of the loop's edges that belong to sides
@@ -30,6 +32,7 @@ struct FaceGroups {
   std::vector<Vec3> normals;  ///< unit, by triangle
   std::vector<double> areas;
   std::vector<int> group;  ///< by triangle
+  std::vector<Bend> bent;  ///< edges between triangles that are not in one plane
 };
 
 double angle_deg(const Bend& bend) { return std::acos(std::clamp(bend.cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
@@ -109,6 +112,8 @@ FaceGroups group_faces(const Patch& patch, Triangles triangles) {
     }
   for (int f = 0; f < static_cast<int>(parent.size()); ++f) groups.group.push_back(root_of(parent, f));
   join_small_groups(patch, edges, groups);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (angles[e] > flat_deg) groups.bent.push_back(edges[e]);
   return groups;
 }
 
@@ -155,14 +160,43 @@ void part_by_hand(const std::vector<int>& loop, const std::vector<int>& hands, F
 
 struct Side {
   std::set<int> vertices;
+  std::set<std::pair<int, int>> edges;
   Vec3 normal = Vec3::Zero();
   int hand = 0;  ///< of the drawn lines
+
+  /// Those triangles for which `is_in` is 1, and the edges at which they bend.
+  void add(const FaceGroups& groups, const std::vector<char>& is_in) {
+    for (std::size_t f = 0; f < is_in.size(); ++f)
+      if (is_in[f]) vertices.insert(groups.triangles[f].begin(), groups.triangles[f].end());
+    for (const Bend& edge : groups.bent)
+      if (is_in[edge.face] && is_in[edge.other]) edges.emplace(edge.low, edge.high);
+  }
 };
 
 Points positions_of(const Patch& patch, const std::set<int>& vertices) {
   Points points;
   for (int v : vertices) points.push_back(patch.positions[v]);
   return points;
+}
+
+Points middles_of(const Patch& patch, const std::set<std::pair<int, int>>& edges) {
+  Points middles;
+  for (const auto& [a, b] : edges) middles.push_back((patch.positions[a] + patch.positions[b]) / 2);
+  return middles;
+}
+
+std::optional<SideSurface> surface_of(const Patch& patch, const Side& side, double diameter,
+                                      SideSurface::Kinds kinds = SideSurface::Kinds::all) {
+  return SideSurface::fit(positions_of(patch, side.vertices), side.normal, diameter, kinds,
+                          middles_of(patch, side.edges));
+}
+
+Side both_of(const Side& a, const Side& b) {
+  Side both = a;
+  both.vertices.insert(b.vertices.begin(), b.vertices.end());
+  both.edges.insert(b.edges.begin(), b.edges.end());
+  both.normal = (a.normal + b.normal).normalized();
+  return both;
 }
 
 /// The vertices of a group, without faces that lean far from it, and its normal near the loop.
@@ -178,9 +212,10 @@ Side side_of(const Patch& patch, const FaceGroups& groups, int group) {
     if (side.normal.norm() > 0) break;
   }
   side.normal.normalize();
+  std::vector<char> is_in;
   for (std::size_t f = 0; f < groups.triangles.size(); ++f)
-    if (groups.group[f] == group && groups.normals[f].dot(side.normal) > steep)
-      side.vertices.insert(groups.triangles[f].begin(), groups.triangles[f].end());
+    is_in.push_back(groups.group[f] == group && groups.normals[f].dot(side.normal) > steep);
+  side.add(groups, is_in);
   return side;
 }
 
@@ -191,16 +226,12 @@ void keep_apart(const Patch& patch, double diameter, const std::vector<Side>& si
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < sides.size(); ++j) {
       if (sides[i].hand == sides[j].hand) continue;
-      std::set<int> both = sides[i].vertices;
-      both.insert(sides[j].vertices.begin(), sides[j].vertices.end());
-      const auto surface =
-          SideSurface::fit(positions_of(patch, both), (sides[i].normal + sides[j].normal).normalized(), diameter);
+      const auto surface = surface_of(patch, both_of(sides[i], sides[j]), diameter);
       if (surface && surface->rms() <= one_surface * std::max(surfaces[i].rms(), surfaces[j].rms()) + exact * diameter)
         parted.insert({i, j});
     }
   for (std::size_t i : parted)
-    if (const auto surface = SideSurface::fit(positions_of(patch, sides[i].vertices), sides[i].normal, diameter,
-                                              SideSurface::Kinds::height_fields))
+    if (const auto surface = surface_of(patch, sides[i], diameter, SideSurface::Kinds::height_fields))
       surfaces[i] = *surface;
 }
 
@@ -211,14 +242,12 @@ void join_sides(const Patch& patch, double diameter, const auto& are_one, std::v
     for (std::size_t j = i + 1; j < sides.size(); ++j) {
       const bool asked_for = are_one(static_cast<int>(i), static_cast<int>(j));
       if (!asked_for && (sides[i].hand != sides[j].hand || sides[i].normal.dot(sides[j].normal) < steep)) continue;
-      Side both = sides[i];
-      both.vertices.insert(sides[j].vertices.begin(), sides[j].vertices.end());
-      both.normal = (sides[i].normal + sides[j].normal).normalized();
+      const Side both = both_of(sides[i], sides[j]);
       // Two planes are a quadric, too.
       const bool are_planes =
           surfaces[i].kind() == SideSurface::Kind::plane && surfaces[j].kind() == SideSurface::Kind::plane;
-      const auto surface = SideSurface::fit(positions_of(patch, both.vertices), both.normal, diameter,
-                                            are_planes ? SideSurface::Kinds::height_fields : SideSurface::Kinds::all);
+      const auto surface =
+          surface_of(patch, both, diameter, are_planes ? SideSurface::Kinds::height_fields : SideSurface::Kinds::all);
       if (!surface) continue;
       const double most = one_surface * std::max(surfaces[i].rms(), surfaces[j].rms()) + exact * diameter;
       if (!asked_for && surface->rms() > most) continue;
@@ -230,6 +259,21 @@ void join_sides(const Patch& patch, double diameter, const auto& are_one, std::v
         s = s == static_cast<int>(j) ? static_cast<int>(i) : s > static_cast<int>(j) ? s - 1 : s;
       j = i;  // what the joined side takes in is asked again
     }
+}
+
+/// Of all vertices near the hole from one surface. Where it goes through all, as two planes do through a wall of one row and its lids,
+/// of the middles of edges.
+std::optional<double> rms_of_one_surface(const Patch& patch, const FaceGroups& groups, const Vec3& normal,
+                                         double diameter) {
+  Side all;
+  all.normal = normal;
+  all.add(groups, std::vector<char>(groups.triangles.size(), 1));
+  const auto one = surface_of(patch, all, diameter);
+  if (!one) return std::nullopt;
+  if (one->rms() > exact * diameter || all.edges.empty()) return one->rms();
+  double sum = 0;
+  for (const Vec3& p : middles_of(patch, all.edges)) sum += (one->foot(p) - p).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(all.edges.size()));
 }
 
 }  // namespace
@@ -277,7 +321,7 @@ std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach,
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     sides.push_back(side_of(patch, groups, numbers[k]));
     sides.back().hand = hand_of_number[k];
-    const auto surface = SideSurface::fit(positions_of(patch, sides.back().vertices), sides.back().normal, diameter);
+    const auto surface = surface_of(patch, sides.back(), diameter);
     if (!surface) return std::nullopt;
     result.surfaces.push_back(*surface);
   }
@@ -301,11 +345,9 @@ std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach,
     normal += n * sides[s].normal;
   }
   result.rms = std::sqrt(sum / count);
-  std::set<int> all;
-  for (const Triangle& t : groups.triangles) all.insert(t.begin(), t.end());
-  const auto one = SideSurface::fit(positions_of(patch, all), normal.normalized(), diameter);
-  if (!one) return std::nullopt;
-  result.rms_of_one = one->rms();
+  const std::optional<double> rms_of_one = rms_of_one_surface(patch, groups, normal.normalized(), diameter);
+  if (!rms_of_one) return std::nullopt;
+  result.rms_of_one = *rms_of_one;
   return result;
 }
 

@@ -22,13 +22,14 @@ Vec3 conormal(const TriMesh& mesh, TriMesh::VertexHandle a, TriMesh::VertexHandl
 
 LoopFacing loop_facing(const SurfaceModel& model, const BoundaryLoop& loop) {
   const std::size_t n = loop.vertices.size();
-  LoopFacing facing{loop.center, 0, Vec3::Zero(), Points(n, Vec3::Zero()), Vec3::Zero()};
+  LoopFacing facing{loop.center, 0, Vec3::Zero(), {}, Points(n, Vec3::Zero()), Vec3::Zero()};
   double perimeter = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const TriMesh::VertexHandle a(loop.vertices[i]), b(loop.vertices[(i + 1) % n]);
     const Vec3 p = model.mesh.point(a), q = model.mesh.point(b);
     const double length = (q - p).norm();
-    const Vec3 across = length * conormal(model.mesh, a, b);
+    facing.edge_conormals.push_back(conormal(model.mesh, a, b));
+    const Vec3 across = length * facing.edge_conormals.back();
     facing.radius += (p - loop.center).norm() / static_cast<double>(n);
     facing.axis += (p - loop.center).cross(q - loop.center);
     facing.onward += across;

@@ -11,8 +11,9 @@ struct LoopFacing {
   double radius;  ///< mean distance from the centre, mesh units
   Vec3 axis;      ///< unit: the loop runs counter-clockwise about it; zero for a loop that encloses no area
   Points
-      conormals;  ///< at each vertex of the loop: unit, tangent to the surface, square to the loop, out of the surface
-  Vec3 onward;    ///< mean conormal: norm 1 at the end of a tube, 0 at a hole in a plane
+      edge_conormals;  ///< at each edge to the next vertex: unit, tangent to its face, square to it, out of the surface
+  Points conormals;    ///< at each vertex of the loop: unit, mean of its edges'
+  Vec3 onward;         ///< mean conormal: norm 1 at the end of a tube, 0 at a hole in a plane
 };
 
 LoopFacing loop_facing(const SurfaceModel& model, const BoundaryLoop& loop);

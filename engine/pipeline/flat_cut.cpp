@@ -20,8 +20,6 @@ namespace {
 
 constexpr int fewest_edges = 4;
 constexpr double exact_planarity = 0.003;
-constexpr double flat_planarity =
-    0.0305;  ///< rms distance from the plane, in diameters, 0.030 as printed: bases of scanned statues
 constexpr double most_planarity = 0.1;  ///< above, the loop's plane says nothing about the wall
 constexpr double steep = 0.5;           ///< sine of the angle between surface and plane, median along the loop
 constexpr double still_steep = 0.35;    ///< the same, for all but the share of the loop that may be torn:
@@ -43,6 +41,7 @@ constexpr double most_of_a_straight_wall = 0.3;  ///< half of the least of a dom
 constexpr double reach_of_fit = 0.3;             ///< in loop radii; at least so many boundary edges, up to the radius:
 constexpr double edges_of_fit = 4;
 constexpr int fewest_samples = 8;
+constexpr double long_edge = 0.8;  ///< in reaches
 /// A dome is missing where one quadric goes on behind the loop: of 21 balls, ellipsoids and parts of them, with noise of up to 0.4 %
 /// of their radius, it is off by 0 to 0.0025 diameters, of eleven standing figures and wavy bases that bend like a ball at their
 /// base alone by 0.006 to 0.046.
@@ -114,7 +113,9 @@ class Profiles {
         loop_(loop),
         facing_(facing),
         axis_(facing.onward.dot(facing.axis) < 0 ? Vec3(-facing.axis) : facing.axis),
-        reach_(reach_of(loop, facing)) {}
+        reach_(reach_of(loop, facing)) {
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k) has_long_edges_ = has_long_edges_ || is_long(k);
+  }
 
   Profile at(std::size_t k) const {
     const Vec3 p = mesh_.point(TriMesh::VertexHandle(loop_.vertices[k]));
@@ -130,6 +131,15 @@ class Profiles {
     return profile;
   }
 
+  /// Of a vertex, and of the edge to the next one: 1 and 0, but for loops with edges so long that their ends say little of them. There
+  /// all counts by length, in mean edges.
+  double weight_at(std::size_t k) const {
+    if (!has_long_edges_) return 1;
+    const auto of_short = [&](std::size_t edge) { return is_long(edge) ? 0 : length(edge); };
+    return (of_short(k) + of_short((k + loop_.vertices.size() - 1) % loop_.vertices.size())) / 2 / mean_edge();
+  }
+  double weight_after(std::size_t k) const { return is_long(k) ? length(k) / mean_edge() : 0; }
+  double steepness_after(std::size_t k) const { return facing_.edge_conormals[k].dot(axis_); }
   double steepness_of_face(std::size_t k) const { return facing_.conormals[k].dot(axis_); }
   /// Whether the surface leaves the loop away from its center, as the wall of a bell.
   bool flares_at(std::size_t k) const {
@@ -175,6 +185,14 @@ class Profiles {
   }
 
  private:
+  double mean_edge() const { return loop_.perimeter / loop_.edges(); }
+  /// Of the boundary edge to the next vertex, mesh units.
+  double length(std::size_t k) const {
+    const auto point = [&](std::size_t i) { return mesh_.point(TriMesh::VertexHandle(loop_.vertices[i])); };
+    return (point((k + 1) % loop_.vertices.size()) - point(k)).norm();
+  }
+  bool is_long(std::size_t k) const { return length(k) > long_edge * reach_; }
+
   /// Vertices that are joined to this one within a distance of p, itself among them.
   std::vector<int> within(double reach, int v, const Vec3& p) const {
     std::vector<int> queue{v};
@@ -228,6 +246,7 @@ class Profiles {
   const LoopFacing& facing_;
   Vec3 axis_;  ///< to the side to which the surface runs on
   double reach_;
+  bool has_long_edges_ = false;
 };
 
 /// @param shares  curvature of each profile in that of a ball.
@@ -248,16 +267,15 @@ bool rounds_into_plane(double steepness, const std::vector<double>& shares) {
 
 /// What the surface does along a loop.
 struct Wall {
-  std::vector<double> steepness,
-      of_faces;  ///< sine of the angle to the loop's plane: of fits, and of the faces at the loop
+  /// Sine of the angle to the loop's plane, of fits and of the faces at the loop. A window in a wall may have few edges at the wall and
+  /// many at the lids.
+  std::vector<Weighted> steepness, of_faces;
   std::vector<double> curvatures, noise;  ///< of fits, where there are enough vertices
-  std::size_t flaring = 0;                ///< places where it leaves the loop away from its center
+  double flaring = 0, places = 0;         ///< where it leaves the loop away from its center, and all
   double turning = 0;                     ///< NormalsOfWall::turning()
 
-  bool is_known() const { return 2 * curvatures.size() >= steepness.size(); }
-  bool flares() const {
-    return static_cast<double>(flaring) >= (1 - torn_share) * static_cast<double>(steepness.size());
-  }
+  bool is_known() const { return 2 * static_cast<double>(curvatures.size()) >= places; }
+  bool flares() const { return flaring >= (1 - torn_share) * places; }
 };
 
 Wall read_wall(const Profiles& profiles, const BoundaryLoop& loop) {
@@ -266,12 +284,17 @@ Wall read_wall(const Profiles& profiles, const BoundaryLoop& loop) {
   const std::size_t stride = 1 + loop.vertices.size() / most_fits;
   for (std::size_t k = 0; k < loop.vertices.size(); k += stride) {
     const Profile profile = profiles.at(k);
-    wall.steepness.push_back(profile.steepness);
+    const double weight = profiles.weight_at(k);
+    wall.steepness.push_back({profile.steepness, weight});
     if (profile.curvature) {
       wall.curvatures.push_back(*profile.curvature);
       wall.noise.push_back(profile.noise);
     }
-    wall.of_faces.push_back(profiles.steepness_of_face(k));
+    wall.of_faces.push_back({profiles.steepness_of_face(k), weight});
+    const Weighted face{profiles.steepness_after(k), profiles.weight_after(k)};
+    wall.steepness.push_back(face);
+    wall.of_faces.push_back(face);
+    ++wall.places;
     wall.flaring += profiles.flares_at(k);
     profiles.add_faces_behind(k, normals);
   }

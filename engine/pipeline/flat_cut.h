@@ -6,6 +6,9 @@
 
 namespace loopmend {
 
+/// Largest planarity of a loop that is closed flat: 0.030 as printed. Bases of scanned statues have up to that.
+inline constexpr double flat_planarity = 0.0305;
+
 /// What the surface does at a loop.
 enum class LoopEnd {
   runs_on,  ///< it continues across the hole

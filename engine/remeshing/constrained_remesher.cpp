@@ -236,6 +236,23 @@ void ConstrainedRemesher::sort_in_space() {
   for (const auto f : mesh_.faces()) update_normal(f);
 }
 
+/// Each split of an edge beside a boundary edge halves the height over that. A long boundary edge cannot be split, and would get a
+/// row of vertices on it.
+bool ConstrainedRemesher::is_close_to_long_boundary(EH e, const Vec3& middle) const {
+  constexpr double long_edge = 3, close = 0.5;  // in target lengths
+  for (const int side : {0, 1}) {
+    const HH h = mesh_.halfedge_handle(e, side);
+    for (const HH beside : {mesh_.next_halfedge_handle(h), mesh_.prev_halfedge_handle(h)}) {
+      const EH boundary = mesh_.edge_handle(beside);
+      if (!mesh_.is_boundary(boundary) || length(boundary) < long_edge * target(e)) continue;
+      const Vec3 from = mesh_.point(mesh_.from_vertex_handle(beside));
+      const Vec3 along = (mesh_.point(mesh_.to_vertex_handle(beside)) - from).normalized();
+      if (along.cross(middle - from).norm() < close * target(e)) return true;
+    }
+  }
+  return false;
+}
+
 int ConstrainedRemesher::split_long_edges() {
   int count = 0;
   for (int pass = 0; pass < 10; ++pass) {
@@ -247,8 +264,7 @@ int ConstrainedRemesher::split_long_edges() {
       const double ratio = length(e) / target(e);
       if (ratio > (chord ? 0.5 : 4.0 / 3)) queue.emplace_back(-std::round(6 * std::log(ratio)), e.idx());
     }
-    if (queue.empty()) break;
-    count += static_cast<int>(queue.size());
+    const int before = count;
     std::sort(queue.begin(), queue.end());
     ask_watch();
     for (const auto& [ratio, index] : queue) {
@@ -256,13 +272,16 @@ int ConstrainedRemesher::split_long_edges() {
       const EH e(index);
       const HH h = mesh_.halfedge_handle(e, 0);
       const Vec3 middle = (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
+      if (is_close_to_long_boundary(e, middle)) continue;
       const VH v = mesh_.add_vertex(middle);
       size_.resize(mesh_.n_vertices());
       size_[v.idx()] = std::min(target(e), coarser_ * target_size_(middle));
       mesh_.split(e, v);
+      ++count;
       boundary_normal_.resize(mesh_.n_edges(), Vec3::Zero());
       update_normals_around(v);
     }
+    if (count == before) break;
   }
   return count;
 }

@@ -62,6 +62,7 @@ class ConstrainedRemesher {
   void set_boundary_normals(const BoundaryNormals& boundary_normals);
   bool is_locked(VH v) const { return v.idx() < locked_; }
   double target(EH e) const;
+  bool is_close_to_long_boundary(EH e, const Vec3& middle) const;
   double length(EH e) const;
   const Vec3& face_normal(FH f) const { return normal_[f.idx()]; }
   void update_normal(FH f);

@@ -110,6 +110,18 @@ TEST(SharpEdges, TheEdgeBetweenLidAndWallOfACylinderComesBack) {
   }
 }
 
+/// All vertices of a wall of one row lie on two planes, so that many surfaces go through them.
+TEST(SharpEdges, AWindowInAWallOfOneRowComesBack) {
+  for (const int rows : {1, 2})
+    for (const double height : {0.7, 2.0, 3.0})
+      for (const double half_angle : {15, 30, 40}) {
+        const Filled filled = fill(test::make_windowed_cylinder(48, rows, height, half_angle));
+        EXPECT_EQ(filled.patch().made_by, "sharp edges") << rows << ' ' << height << ' ' << half_angle;
+        const auto off_wall = [](const Vec3& p) { return std::abs(p.head<2>().norm() - 1); };
+        EXPECT_LT(filled.farthest(off_wall), 1e-5) << rows << ' ' << height << ' ' << half_angle;
+      }
+}
+
 TEST(SharpEdges, AConcaveEdgeComesBack) {
   // The cube's faces seen from within: turned inside out, its edges are concave.
   TriangleSoup inside = test::make_cube(24);

@@ -106,6 +106,20 @@ TEST(FlatCut, IsNotWhatIsMissingOfABallOrInAPlane) {
 }
 
 /// The walls of a bump are as straight as those of a cut at the height of the hole; but the hole is not quite plane.
+/// Most edges of its loop lie at the lids, which stand upright over it; the wall is of one or two rows.
+TEST(FlatCut, IsNotAWindowInAWallFromLidToLid) {
+  for (const int around : {36, 60})
+    for (const int rows : {1, 2})
+      for (const double height : {1.0, 2.0, 3.0})
+        for (const double half_angle : {10, 20, 36}) {
+          const SurfaceModel model = make_surface_model(test::make_windowed_cylinder(around, rows, height, half_angle));
+          const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+          ASSERT_EQ(loops.size(), 1U);
+          EXPECT_EQ(loop_end(model, loops[0]), LoopEnd::runs_on)
+              << around << ' ' << rows << ' ' << height << ' ' << half_angle;
+        }
+}
+
 TEST(FlatCut, IsNotTheTopOfABump) {
   const test::BumpyEllipsoid shape;
   for (double size : {0.15, 0.2}) {

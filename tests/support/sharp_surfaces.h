@@ -65,16 +65,29 @@ inline TriangleSoup make_cube(int cells) {
 }
 
 /// Radius 1 about z, −1 ≤ z ≤ 1, with both lids and outward normals. @param around  vertices on a circle
-inline TriangleSoup make_closed_cylinder(int around) {
+/// @param rows  of quads in the wall; 0: as long as wide
+inline TriangleSoup make_closed_cylinder(int around, int rows = 0) {
   const auto turn = [](double x) { return 2 * std::numbers::pi * x; };
   GridSurface cylinder;
-  cylinder.add(around, around / 3,
+  cylinder.add(around, rows > 0 ? rows : around / 3,
                [&](double x, double y) { return Vec3(std::cos(turn(x)), std::sin(turn(x)), 2 * y - 1); });
   for (const int end : {-1, 1})
     cylinder.add(around, around / 6, [&](double x, double y) {
       return Vec3((1 - y) * std::cos(end * turn(x)), (1 - y) * std::sin(end * turn(x)), end);
     });
   return std::move(cylinder.soup);
+}
+
+/// A closed cylinder of radius 1 with a window in its wall from lid to lid, at the positive x axis.
+inline TriangleSoup make_windowed_cylinder(int around, int rows, double height, double half_angle_deg) {
+  TriangleSoup soup = make_closed_cylinder(around, rows);
+  for (Vec3& p : soup.points) p.z() *= height / 2;
+  std::erase_if(soup.triangles, [&](const Triangle& t) {
+    const Vec3 middle = (soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]) / 3;
+    return std::abs(middle.z()) < 0.49 * height &&
+           std::abs(std::atan2(middle.y(), middle.x())) < half_angle_deg * std::numbers::pi / 180;
+  });
+  return soup;
 }
 
 }  // namespace loopmend::test
