@@ -222,6 +222,7 @@ GroupResult joined(const Fill& fill, const Task& task) {
       flow && continues_edges(*flow) && !edits_at(fill.scan.model, place, flow->edge_edits).drawn.empty())
     made->reason =
         joined(std::move(made->reason), "; ", say("no sharp edge is drawn across a hole to which an island is joined"));
+  judge_islands(made->patch, made->verdicts);
   GroupResult result;
   const auto patch = std::make_shared<const PatchResult>(std::move(*made));
   result.patches.push_back(patch);

@@ -161,6 +161,12 @@ void add(Verdict& verdict, Grade grade, Notice finding) {
   verdict.findings.push_back(std::move(finding));
 }
 
+/// Where the patch rises far, and farther than a ball through the seam.
+void add_height(double ball_height, Verdict& verdict) {
+  if (verdict.height > notable_height && verdict.height > notable_ratio * ball_height)
+    add(verdict, Grade::look, {NoticeCode::high_over_loop, {verdict.height, ball_height}});
+}
+
 }  // namespace
 
 const char* to_string(Grade grade) {
@@ -186,6 +192,11 @@ void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std
     const double share = deviation.loops[l].likely / (patch.scale * loop_diameter(patch, l));
     if (share > notable_deviation) add(verdicts[l], Grade::look, {NoticeCode::likely_far, {share}});
   }
+}
+
+void judge_islands(const Patch& patch, std::vector<Verdict>& verdicts) {
+  if (verdicts.empty() || patch.loops.empty()) return;
+  add_height(place_of(patch, patch.loops.front()).ball_height, verdicts.front());
 }
 
 Grade worst(const std::vector<Verdict>& verdicts) {
@@ -325,9 +336,8 @@ void Judge::judge_height(std::size_t l, Verdict& verdict) const {
   if (l >= ends_.size()) return;
   if (ends_[l] == LoopEnd::flat && verdict.height > flat_height)
     add(verdict, Grade::bad, {NoticeCode::dome_over_flat_loop, {verdict.height}});
-  else if (expected_creases_.empty() && verdict.height > notable_height &&
-           verdict.height > notable_ratio * places_[l].ball_height)
-    add(verdict, Grade::look, {NoticeCode::high_over_loop, {verdict.height, places_[l].ball_height}});
+  else if (expected_creases_.empty())
+    add_height(places_[l].ball_height, verdict);
 }
 
 }  // namespace loopmend

@@ -119,7 +119,9 @@ std::vector<int> loop_of_triangles(const Patch& patch) {
     const std::vector<int>& loop = patch.loops[l];
     const auto [a, b] = std::minmax(loop[0], loop[1 % loop.size()]);
     const auto side = std::lower_bound(sides.begin(), sides.end(), std::array<int, 3>{a, b, 0});
-    if (side != sides.end() && (*side)[0] == a && (*side)[1] == b) loop_at[root((*side)[2])] = static_cast<int>(l);
+    // Of a hole and the islands joined to it, the hole comes first.
+    if (side != sides.end() && (*side)[0] == a && (*side)[1] == b)
+      loop_at.emplace(root((*side)[2]), static_cast<int>(l));
   }
   std::vector<int> loop(patch.patch_triangles, 0);
   for (int f = 0; f < patch.patch_triangles; ++f)

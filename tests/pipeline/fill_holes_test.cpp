@@ -228,6 +228,27 @@ TEST(FillLoops, HolesThatTouchAndIslandsThatTouchTheirHoleAreClosed) {
   EXPECT_TRUE(facts.vertex_manifold);
 }
 
+/// A small plate as an island of a hole in a ball: at its place on the ball, and high above it, as debris of a scan.
+TEST(FillLoops, IslandFarAboveItsHoleIsToBeLookedAt) {
+  const TriangleSoup ball = cut(make_icosphere(4), [](const Vec3& p) {
+    const double from_axis = p.head<2>().norm();
+    return p.z() > 0 && from_axis > 0.12 && from_axis < 0.45;
+  });
+  for (const double above : {0.0, 0.36}) {
+    TriangleSoup soup = ball;
+    for (Vec3& p : soup.points)
+      if (p.z() > 0 && p.head<2>().norm() < 0.2) p.z() += above;
+    SurfaceModel model = make_surface_model(soup);
+    const std::vector<HoleResult> results = fill_all_holes(model);
+    ASSERT_EQ(results.front().loop.kind, LoopKind::hole);
+    const Verdict verdict = results.front().verdict();
+    EXPECT_EQ(verdict.grade, above > 0 ? Grade::look : Grade::good) << verdict.message();
+    if (above > 0) {
+      EXPECT_EQ(verdict.findings.front().code, NoticeCode::high_over_loop) << verdict.message();
+    }
+  }
+}
+
 TEST(FillLoops, CancelledLeavesTheModel) {
   SurfaceModel model = holey_sphere();
   const TriangleSoup before = model.soup;
