@@ -42,8 +42,8 @@ int run_batch(const BatchCommand& command, const CheckFillOptions& check) {
   const SummaryCounts counts = counts_of(rows);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (command.verbosity == Verbosity::normal) {
-    std::printf("%s: %d filled, %d to look at, %d errors", counted(rows.size(), "scan", "scans").c_str(), counts.filled,
-                counts.look, counts.error);
+    std::printf("%s: %d filled, %d to look at, %s", counted(rows.size(), "scan", "scans").c_str(), counts.filled,
+                counts.look, counted(static_cast<std::size_t>(counts.error), "error", "errors").c_str());
     if (counts.nothing > 0) std::printf(", %d with nothing to fill", counts.nothing);
     if (counts.waiting > 0) std::printf(", %d waiting for the next run", counts.waiting);
     if (counts.as_before > 0) std::printf("; %d were complete before", counts.as_before);

@@ -53,7 +53,7 @@ void add_info(CLI::App& app, InfoCommand& command) {
   add_double(*info, command.float_text);
   info->add_option("--json", command.json, "Write JSON to FILE, or to standard output for -")->type_name("FILE|-");
   add_check(*info, command.check,
-            "Tell whether the surface could be printed: open, non-manifold and reversed edges, intersections");
+            "Say whether the surface could be 3D-printed: open, non-manifold and reversed edges, intersections");
   add_verbose(*info, command.detail);
   info->footer("Example:\n  loopmend info scan.ply\n  loopmend info scan.ply --json -");
 }
@@ -193,7 +193,7 @@ int run(int argc, char** argv) {
   app.allow_windows_style_options(false);  // the same words on every system; there, "/name" would be an option
   app.set_version_flag("--version", std::string("loopmend ") + version());
   app.require_subcommand(1);
-  app.footer("'loopmend COMMAND --help' tells more about a command, with examples.");
+  app.footer("'loopmend COMMAND --help' explains a command, with examples.");
   InfoCommand info;
   FillCommand fill;
   FillWords words;

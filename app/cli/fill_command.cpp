@@ -11,6 +11,7 @@
 #include "core/system_memory.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
+#include "pipeline/flat_cut.h"
 
 #include <algorithm>
 #include <chrono>
@@ -190,9 +191,11 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
 }
 
 void print_preparation(std::FILE* out, const Preparation& done) {
-  if (done.no_data_faces > 0)
+  if (done.no_data_faces == 0U)
+    std::fprintf(out, "No vertex marks missing data: --cut-no-data removed nothing.\n");
+  else if (done.no_data_faces)
     std::fprintf(out, "%s removed at %s of missing data (%g); the output is compared with the mesh without them.\n",
-                 counted(done.no_data_faces, "face was", "faces were").c_str(),
+                 counted(*done.no_data_faces, "face was", "faces were").c_str(),
                  counted(done.no_data.vertices.size(), "vertex", "vertices").c_str(), done.no_data.value);
   else
     print_no_data(out, done.no_data);
@@ -246,7 +249,7 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
                                  {"refused_pairs", united.refused},
                                  {"crossing_parts", united.crossing_parts}};
   }
-  if (done.no_data_faces > 0) json["no_data_faces"] = done.no_data_faces;
+  if (done.no_data_faces) json["no_data_faces"] = *done.no_data_faces;
   if (done.joined_again > 0) json["joined_again"] = done.joined_again;
   if (done.bridges > 0) json["bridges"] = done.bridges;
   if (done.base_loop > 0) json["base_loop"] = done.base_loop;
@@ -284,6 +287,33 @@ void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
                  what.second.empty() ? "" : ": ", what.second.c_str());
 }
 
+/// Whether the loop is nearly plane and its patch rises over it so that a person has to look: the surface may end there.
+bool may_end_flat(const HoleResult& r) {
+  constexpr double rises = 0.05;  // diameters
+  const Verdict verdict = r.verdict();
+  return is_filled(r.status) && verdict.grade == Grade::look && r.loop.planarity <= flat_planarity &&
+         verdict.height > rises && std::ranges::any_of(verdict.findings, [](const Notice& finding) {
+           return finding.code == NoticeCode::high_over_loop || finding.code == NoticeCode::likely_far;
+         });
+}
+
+/// The option that closes such loops flat, and fills the others as they were.
+void print_flat_caps(std::FILE* out, const std::vector<HoleResult>& results) {
+  constexpr int most_in_an_option = 20;
+  std::string ends, loops;
+  int filled = 0, flat = 0;
+  for (const HoleResult& r : results) {
+    if (!is_filled(r.status)) continue;
+    const std::string number = std::to_string(r.loop.number);
+    const bool ends_flat = may_end_flat(r);
+    if (ends_flat) ends += (flat++ == 0 ? "" : ", ") + number;
+    loops += (filled++ == 0 ? "" : ",") + number + (ends_flat ? ":flat" : "");
+  }
+  if (flat > 0 && filled <= most_in_an_option)
+    std::fprintf(out, "If the surface ends at %s %s, --loops %s closes %s flat.\n", flat == 1 ? "loop" : "loops",
+                 ends.c_str(), loops.c_str(), flat == 1 ? "it" : "them");
+}
+
 /// One line for each loop when there are few, else for the largest; long texts below, once for each kind.
 void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const Outcome& outcome,
                    const FillCommand& command, double seconds) {
@@ -313,6 +343,7 @@ void print_summary(std::FILE* out, const std::vector<HoleResult>& results, const
     print_once(out, results, Detail::all, message_text);
   }
   print_once(out, results, all ? Detail::all : Detail::summary, reason_text);
+  print_flat_caps(out, results);
   std::fprintf(out, "%d filled, ", outcome.filled);
   if (outcome.look > 0) std::fprintf(out, "%d of them to look at, ", outcome.look);
   if (outcome.bad > 0) std::fprintf(out, "%d of them bad, ", outcome.bad);
@@ -328,7 +359,9 @@ std::vector<HoleResult> fill_and_show(ScanPlan& scan, const FillCommand& command
   ProgressLine progress(command.verbosity);
   if (const std::size_t count = scan.chosen().size(); count > 0)
     progress.say("filling " + counted(count, "loop", "loops"));
-  const auto show = [&](const FillProgress& p) { progress.show(p.loops_done, p.loops_total, "loops"); };
+  const auto show = [&](const FillProgress& p) {
+    progress.show(p.loops_done, p.loops_total, p.loops_total == 1 ? "loop" : "loops");
+  };
   return fill_chosen(scan, command.job, deadline, show, cancel);
 }
 

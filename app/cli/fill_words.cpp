@@ -96,10 +96,10 @@ void add_check(CLI::App& command, Check& check, const char* what) {
 void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   CLI::App* fill = app.add_subcommand("fill", "Fill boundary loops with smooth patches");
   fill->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF, VTK polydata)")->required();
-  fill->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
+  fill->add_option("-o,--output", command.output, "Mesh to write; its extension chooses the format")->required();
   add_weld(*fill, command.coincident);
   add_double(*fill, command.float_text);
-  add_check(*fill, command.check, "Tell whether what was written could be printed, as 'info --check' does");
+  add_check(*fill, command.check, "Say whether the written mesh could be 3D-printed, as 'info --check' does");
   fill->add_flag_callback(
       "--patches-only", [&command] { command.content = FillCommand::Content::patches; },
       "Write the patches alone, without the scan");
@@ -121,7 +121,7 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->type_name("N");
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
   add_named(*fill, "--islands", words.islands, islands_names,
-            "Pieces of surface within a hole: join them to its patch, or cover them with it");
+            "Components within a hole: join them to its patch, or cover them with it");
   fill->add_flag_callback(
       "--auto", [&command] { command.job.prepare.extent = PrepareOptions::Extent::where_needed; },
       "Do first what this mesh needs, and nothing else: --cut-no-data where vertices mark missing data, --stitch where "

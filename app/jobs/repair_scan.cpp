@@ -169,8 +169,8 @@ std::optional<RepairedScan> prepared(const ScanRepairTask& task) {
   if (task.cancel.cancelled()) return std::nullopt;
   QStringList done;
   const auto n = [](std::size_t count) { return static_cast<int>(count); };
-  if (plan.done.no_data_faces > 0)
-    done << FillController::tr("%Ln faces removed at vertices of missing data", nullptr, n(plan.done.no_data_faces));
+  if (plan.done.no_data_faces)
+    done << FillController::tr("%Ln faces removed at vertices of missing data", nullptr, n(*plan.done.no_data_faces));
   const std::size_t joined = (plan.done.stitched ? plan.done.stitched->joined_vertices : 0) + plan.done.joined_again;
   if (joined > 0) done << FillController::tr("%Ln vertices joined", nullptr, n(joined));
   if (plan.done.stitched && plan.done.stitched->split_faces > 0)

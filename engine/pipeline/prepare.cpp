@@ -160,7 +160,8 @@ PrepareOptions::Base base_of(const std::string& text) {
 }
 
 bool Preparation::changed_nothing() const {
-  return !stitched && !repaired && sides_turned == 0 && bridges == 0 && base_loop == 0 && no_data_faces == 0;
+  return !stitched && !repaired && sides_turned == 0 && bridges == 0 && base_loop == 0 &&
+         no_data_faces.value_or(0) == 0;
 }
 
 Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeModel& make_model,
@@ -180,7 +181,8 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     replace(std::move(soup));
   }
   done.no_data = find_no_data(model.soup.points);
-  if ((options.no_data == PrepareOptions::NoData::cut || where_needed) && !done.no_data.vertices.empty()) {
+  if (options.no_data == PrepareOptions::NoData::cut) done.no_data_faces = 0;
+  if ((done.no_data_faces || where_needed) && !done.no_data.vertices.empty()) {
     TriangleSoup soup = as_read(model);
     done.no_data_faces = remove_faces_at(done.no_data.vertices, soup);
     replace(std::move(soup));

@@ -60,7 +60,7 @@ struct Preparation {
   std::size_t sides_turned = 0;   ///< faces, all of the mesh where that was asked for
   int base_loop = 0;              ///< under which a base was built; 0: none
   NoDataVertices no_data;         ///< that were found
-  std::size_t no_data_faces = 0;  ///< that were removed there
+  std::optional<std::size_t> no_data_faces;  ///< that were removed there, where it was asked for
   ModelRepairs before;            ///< of the mesh as it was read
   std::size_t turned_faces = 0;   ///< in the mesh as it was read, where another mesh came out of it
 

@@ -102,7 +102,7 @@ py::dict preparation(const FilledScan& done) {
                  "union"_a = union_figures(repaired.united));
   }
   if (done.prepared.base_loop > 0) counts["base_loop"] = done.prepared.base_loop;
-  if (done.prepared.no_data_faces > 0) counts["no_data_faces"] = done.prepared.no_data_faces;
+  if (done.prepared.no_data_faces) counts["no_data_faces"] = *done.prepared.no_data_faces;
   if (done.prepared.joined_again > 0) counts["joined_again"] = done.prepared.joined_again;
   return counts;
 }

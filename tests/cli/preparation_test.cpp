@@ -387,6 +387,8 @@ TEST_F(PreparationCommands, SpikesOfMissingDataAreNamedAndCut) {
   EXPECT_THAT(fill("a.ply", "--cut-no-data").out, Not(HasSubstr("--cut-no-data")));
   EXPECT_THAT(fill("a.ply", "--auto").out,
               AllOf(HasSubstr("removed at 3 vertices of missing data"), HasSubstr("2 filled, 0 failed")));
+  write("sound.ply", make_graph([](double x, double y) { return 400 + 0.1 * x * y; }, 5, 30));
+  EXPECT_THAT(fill("sound.ply", "--cut-no-data").out, HasSubstr("--cut-no-data removed nothing"));
 }
 
 TEST_F(PreparationCommands, ABaseIsBuiltUnderTheLargestLoop) {

@@ -14,7 +14,7 @@ constexpr const char* exit_codes_help =
 void add_blend(CLI::App& app, BlendCommand& command) {
   CLI::App* blend = app.add_subcommand("blend", "Join loops of one or several meshes by one smooth patch");
   blend->add_option("IN", command.inputs, "Meshes to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
-  blend->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
+  blend->add_option("-o,--output", command.output, "Mesh to write; its extension chooses the format")->required();
   blend
       ->add_option("--loops", command.loops,
                    "Loops as FILE:LOOP; files count from 1 in the order given, loops as 'info' prints them")
@@ -34,7 +34,7 @@ void add_interpolate(CLI::App& app, InterpolateCommand& command) {
   CLI::App* interpolate =
       app.add_subcommand("interpolate", "Find a smooth surface through the vertices of a polyhedron");
   interpolate->add_option("POLY", command.input, "Polyhedron to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
-  interpolate->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
+  interpolate->add_option("-o,--output", command.output, "Mesh to write; its extension chooses the format")->required();
   interpolate->add_option("--subdivide", command.subdivide, "Each triangle into 4^K")
       ->type_name("K")
       ->capture_default_str();
@@ -54,7 +54,7 @@ void add_interpolate(CLI::App& app, InterpolateCommand& command) {
 void add_evolve(CLI::App& app, EvolveCommand& command) {
   CLI::App* evolve = app.add_subcommand("evolve", "Evolve a region of a mesh with its neighborhood fixed");
   evolve->add_option("IN", command.input, "Mesh to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
-  evolve->add_option("-o,--output", command.output, "Mesh to write; the extension tells the format")->required();
+  evolve->add_option("-o,--output", command.output, "Mesh to write; its extension chooses the format")->required();
   evolve->add_option("--region", command.region, "File of the region's vertex numbers, 0-based")->type_name("FILE");
   evolve->add_option("--where", command.where, "The region by a condition on x, y, z, H or K, such as z>0.725")
       ->type_name("CONDITION");
