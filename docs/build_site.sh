@@ -14,7 +14,9 @@ if [[ ${1:-} == --no-links ]]; then
 fi
 folder=$(realpath -m "${1:?Usage: docs/build_site.sh [--no-links] FOLDER}")
 katex=/usr/share/javascript/katex
-for tool in mkdocs doxygen linkchecker; do
+tools=(mkdocs doxygen)
+[[ $links == no ]] || tools+=(linkchecker)
+for tool in "${tools[@]}"; do
   command -v "$tool" >/dev/null || { echo "docs: $tool is missing" >&2; exit 77; }
 done
 [[ -d $katex ]] || { echo "docs: $katex is missing" >&2; exit 77; }

@@ -116,7 +116,7 @@ void AskingTest::the_wheel_scrolls_panels_at_once() {
 }
 
 void AskingTest::what_decides_on_a_patch_is_seen_at_once() {
-  Shown window({sample_file(folder_)});
+  Shown window({sample_file(folder_)}, Shown::Extent::usual);
   window.resize(1360, 860);
   settle();
   for (const char* name : {"accept", "reject", "otherPatches"}) {

@@ -255,7 +255,9 @@ bool press_and_wait(MainWindow& window, const char* button, double seconds) {
 
 void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with) { QTest::keyClick(&window, which, with); }
 
-Shown::Shown(const QStringList& paths) {
+Shown::Shown(const QStringList& paths, Extent extent) {
+  // One whose size was kept has that.
+  if (const QSize at_first(1360, 860); extent == Extent::small && size() == at_first) resize(1120, 740);
   move(0, 0);
   show();
   exposed = QTest::qWaitForWindowExposed(this);

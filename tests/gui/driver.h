@@ -64,10 +64,11 @@ void trigger(MainWindow& window, const char* action);
 
 void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with = {});
 
-/// A window on the screen, with these files open.
+/// A window on the screen, with these files open. A small one has half as many pixels to draw as one of the size that it has at first.
 class Shown : public MainWindow {
  public:
-  explicit Shown(const QStringList& paths = {});
+  enum class Extent { small, usual };
+  explicit Shown(const QStringList& paths = {}, Extent extent = Extent::small);
   ~Shown() override;
   bool exposed = false, ready = false;
 };

@@ -86,7 +86,7 @@ void measure_hover(MainWindow& window) {
 }
 
 void measure_opening(const QString& path) {
-  Shown window;
+  Shown window({}, Shown::Extent::usual);
   linger(2500);
   GapMeter gaps;
   QElapsedTimer clock;
@@ -120,7 +120,7 @@ enum class Start { at_once, after_a_moment };
 void measure_gaps(const QString& path, Start start) {
   std::printf(start == Start::at_once ? "a file opened at once:\n" : "a file opened after 3 s:\n");
   GapMeter gaps;
-  Shown window;
+  Shown window({}, Shown::Extent::usual);
   gaps.report("the window appears");
   if (start == Start::after_a_moment) {
     linger(3000);
@@ -150,7 +150,7 @@ void measure_frame_rate(const QTemporaryDir& folder) {
   const QString path = folder.filePath(QStringLiteral("million.ply"));
   // 1.3 million triangles; the cap that is missing takes 18 000 of them.
   write_mesh(path.toStdString(), cut(make_icosphere(8), [](const Vec3& p) { return p.z() > 0.9725; }));
-  Shown window({path});
+  Shown window({path}, Shown::Extent::usual);
   window.view().fly_to(0);
   linger(2000);
   press_and_wait(window, "fill", 600);
@@ -312,7 +312,7 @@ void measure_compare(const QTemporaryDir& folder, Part part_of_it) {
 }
 
 void measure_memory(const QTemporaryDir& folder) {
-  Shown window({sample_file(folder)});
+  Shown window({sample_file(folder)}, Shown::Extent::usual);
   const long sample = megabytes();
   window.open(write_sheet_with_holes(folder.filePath(QStringLiteral("sheet.ply")), 30));
   wait_idle(window);

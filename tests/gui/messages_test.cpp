@@ -279,7 +279,7 @@ void MessagesTest::the_plot_draws_what_the_steps_lower_data() {
 void MessagesTest::the_plot_draws_what_the_steps_lower() {
   QFETCH(int, boundary);
   QFETCH(QString, legend);
-  Shown window({sample_file(folder_)});
+  Shown window({sample_file(folder_)}, Shown::Extent::usual);
   const int hole = first_hole(window.document());
   window.selection().select({hole});
   part<QComboBox>(window, "boundary")->setCurrentIndex(boundary);

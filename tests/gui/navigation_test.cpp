@@ -6,6 +6,7 @@
 #include "dialogs/navigation_sheet.h"
 #include "document/navigation.h"
 #include "document/preferences.h"
+#include "samples/analytic_surfaces.h"
 #include "views/tool_controller.h"
 #include "views/view_cube.h"
 
@@ -196,7 +197,7 @@ void NavigationTest::each_style_does_what_its_table_says() {
   QFETCH(int, style);
   const auto wanted = static_cast<NavigationStyle>(style);
   const char* const actions[] = {"navigateLoopmend", "navigateBlender", "navigateMeshLab", "navigateCad"};
-  Shown window({sample_file(folder_)});
+  Shown window({scan_file(folder_, QStringLiteral("ball.ply"), make_icosphere(3))});
   trigger(window, actions[style]);
   QVERIFY(load_navigation() == wanted);
   for (Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton, Qt::RightButton})

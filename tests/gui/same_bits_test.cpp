@@ -200,17 +200,18 @@ void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
   QTest::addColumn<bool>("at_once");  // or from initial patches
   QTest::newRow("sample") << sample_file(folder_) << QStringList() << true;
   for (const char* name : {"bunny.ply", "head_holes.ply", "plane_holes.obj"})
-    QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList()
+    if (at_length() || name[0] == 'h')
+      QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList()
                         << (name[0] != 'b');
   QTest::newRow("relief") << sample_file(folder_)
                           << QStringList{QStringLiteral("--relief"), QStringLiteral("continued")} << false;
   const QString edge = folder_.filePath(QStringLiteral("edge.ply"));
   write_mesh(edge.toStdString(),
-             cut(test::make_cube(24), [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.2; }));
+             cut(test::make_cube(16), [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.2; }));
   QTest::newRow("sharp edge") << edge << QStringList() << true;
   QTest::newRow("rounded edge") << edge << QStringList{QStringLiteral("--edges"), QStringLiteral("round")} << true;
   const QString island = folder_.filePath(QStringLiteral("island.ply"));
-  write_mesh(island.toStdString(), cut(make_icosphere(5), [](const Vec3& p) {
+  write_mesh(island.toStdString(), cut(make_icosphere(4), [](const Vec3& p) {
                return p.z() > 0.7 && (p - Vec3(0.2, 0, 0.98).normalized()).norm() > 0.15;
              }));
   QTest::newRow("island") << island << QStringList() << false;

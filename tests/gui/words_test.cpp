@@ -308,6 +308,7 @@ void WordsTest::accept_and_discard_have_the_same_words() {
   {
     Shown window({sample_file(folder_)});
     const auto plain = [](QString text) { return text.remove(QLatin1Char('&')); };
+    window.selection().select({first_hole(window.document())});
     press_and_wait(window, "fillAndSmooth");
     accept << plain(part<QPushButton>(window, "accept")->text());
     discard << plain(part<QPushButton>(window, "reject")->text());
@@ -415,8 +416,8 @@ void WordsTest::numbers_are_written_in_one_locale() {
           if (text.contains(german ? by_point : by_comma)) wrong << object->objectName() + QStringLiteral(": ") + text;
         }
     };
-    press_and_wait(window, "fillAndSmooth");
     window.selection().select({first_hole(window.document())});
+    press_and_wait(window, "fillAndSmooth");
     press_and_wait(window, "step");
     window.view().setFocus();
     key(window, Qt::Key_P);
