@@ -121,10 +121,15 @@ std::vector<Found> find_scans(const BatchJob& job) {
       if (!is_within(plain(input), results)) walk(input, input, results, found);
     } else if (equals_ignoring_case(path_text(input.extension()), ".jsonl")) {
       read_manifest(input, found);
+    } else if (input.extension().empty() && !fs::exists(input, error)) {
+      throw UsageError(say("there is no folder %1", path_text(input)));
     } else {
       found.push_back({input, input.parent_path(), {}, {}, {}});
     }
-    if (found.size() == before) throw UsageError(say("there is no scan in %1", path_text(input)));
+    if (found.size() > before) continue;
+    if (is_within(plain(input), results))
+      throw UsageError(say("the results would go among the scans of %1; choose another folder", path_text(input)));
+    throw UsageError(say("there is no scan in %1", path_text(input)));
   }
   for (const Found& scan : found)
     if (is_within(plain(scan.input), results))

@@ -216,6 +216,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);  // --help, --version
   } catch (const CLI::ParseError& error) {
+    if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-') {
+      std::fprintf(stderr, "loopmend: there is no command '%s'\nTry 'loopmend --help'.\n", argv[1]);
+      return exit_usage;
+    }
     std::fprintf(stderr, "loopmend: %s\nTry 'loopmend --help'.\n", error.what());
     return exit_usage;
   }

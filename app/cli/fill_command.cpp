@@ -265,15 +265,13 @@ void print_cure(std::FILE* out, const ScanPlan& scan, int wide_cracks) {
   const auto cut = count(LoopChoice::Cure::repair), split = count(LoopChoice::Cure::stitch);
   std::fprintf(out, "Nothing was filled: none of these loops is a hole as the mesh stands.");
   if (wide_cracks > 0)
-    std::fprintf(out, " %d are gaps between sides that belong together: fill again with the option named above.",
+    std::fprintf(out, " Gaps between sides that belong together: %d; fill again with the option named above.",
                  wide_cracks);
-  if (split > 0) std::fprintf(out, " %td lie on another or on themselves: fill again with --stitch.", split);
+  if (split > 0) std::fprintf(out, " On another loop, or on themselves: %td; fill again with --stitch.", split);
   if (cut > 0)
-    std::fprintf(
-        out,
-        " %td run along edges with more than two faces (%zu edges) or where the surface is one-sided: fill again with "
-        "--repair.",
-        cut, scan.model.repairs.non_manifold_edges);
+    std::fprintf(out,
+                 " Along edges of more than two faces, or where the surface is one-sided: %td; fill again with --auto.",
+                 cut);
   std::fprintf(out, "\n");
 }
 

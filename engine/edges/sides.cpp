@@ -33,6 +33,7 @@ struct FaceGroups {
   std::vector<double> areas;
   std::vector<int> group;  ///< by triangle
   std::vector<Bend> bent;  ///< edges between triangles that are not in one plane
+  bool any_sharp = false;  ///< edges at which groups are parted
 };
 
 double angle_deg(const Bend& bend) { return std::acos(std::clamp(bend.cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
@@ -105,6 +106,7 @@ FaceGroups group_faces(const Patch& patch, Triangles triangles) {
   const double limit = std::max(sharp_edge_deg, sharp_medians * median(angles));
   std::vector<int> parent(groups.triangles.size());
   std::iota(parent.begin(), parent.end(), 0);
+  groups.any_sharp = std::ranges::any_of(angles, [&](double angle) { return angle > limit; });
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (angles[e] <= limit) {
       const int a = root_of(parent, edges[e].face), b = root_of(parent, edges[e].other);
@@ -284,6 +286,7 @@ std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach,
   Triangles near = triangles_near(patch, loop, reach * diameter);
   if (!(diameter > 0) || near.size() < 3) return std::nullopt;
   FaceGroups groups = group_faces(patch, std::move(near));
+  if (!groups.any_sharp && edits.drawn.empty()) return std::nullopt;  // other holes may part what is smooth
   const std::vector<int> hands = hands_of(loop.size(), edits.drawn);
   if (!edits.drawn.empty()) part_by_hand(loop, hands, groups);
 

@@ -38,9 +38,11 @@ std::set<Defect> repairs_needed(const SurfaceModel& model) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
   if (std::ranges::any_of(loops, [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; }))
     return harmless_repairs;
+  std::set<Defect> needed;
   if (model.repairs.duplicate_faces > 0 || find_inverted_shells(model, loops).closed > 0)
-    return {Defect::duplicate_faces, Defect::non_manifold};
-  return {};
+    needed = {Defect::duplicate_faces, Defect::non_manifold};
+  if (has_fragments(model)) needed.insert(Defect::fragments);
+  return needed;
 }
 
 /// Walls of thin pipes and plates are no sides of a crack, however near they are to each other.

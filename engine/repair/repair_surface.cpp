@@ -436,6 +436,12 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
   return result;
 }
 
+bool has_fragments(const SurfaceModel& model) {
+  std::size_t count = 0;
+  in_fragments(model, count);
+  return count > 0;
+}
+
 RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel) {
   const auto alone = [&](Defect defect) {
     return cancel.cancelled() ? RepairCounts{} : repair_surface(soup, {defect}, cancel).counts;

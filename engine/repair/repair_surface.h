@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/cancel.h"
-#include "mesh/triangle_soup.h"
+#include "mesh/surface_model.h"
 #include "repair/unite_bodies.h"
 
 #include <cstddef>
@@ -68,6 +68,9 @@ struct RepairedSurface {
 /// @throws InvalidArgument if no usable face is left.
 RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects = harmless_repairs,
                                const CancelToken& cancel = {});
+
+/// Whether the surface has tiny loose components, as Defect::fragments removes.
+bool has_fragments(const SurfaceModel& model);
 
 /// What repair_surface() would do about each defect if it were the only one to be repaired; it unites bodies for that.
 /// Cancelled, nothing of use.

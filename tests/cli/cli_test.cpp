@@ -277,7 +277,7 @@ TEST_F(Cli, OptionsWithoutEffectAreRefused) {
 TEST_F(Cli, WrongUsageIsTwo) {
   expect_message(loopmend_program(""), 2, "subcommand");
   expect_message(loopmend_program("fill"), 2, "IN");
-  expect_message(loopmend_program("mend x"), 2, "subcommand");
+  expect_message(loopmend_program("mend x"), 2, "no command 'mend'");
   expect_message(loopmend_program("fill " + in_out() + "--flow fast"), 2, "--flow");
   expect_message(loopmend_program("fill " + in_out() + "--sigma 0"), 2, "--sigma");
   expect_message(loopmend_program("fill " + in_out() + "--steps -3"), 2, "--steps");

@@ -369,6 +369,20 @@ TEST_F(PreparationCommands, ALoopTakesAShapeOfItsOwn) {
   EXPECT_THAT(fill("a.ply", "--loops 1:flat --flow wf").err, HasSubstr("only with --flow mmcvf"));
 }
 
+TEST_F(PreparationCommands, LooseDebrisIsRemovedByAuto) {
+  TriangleSoup ball = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
+  for (int k = 0; k < 20; ++k) {
+    const int first = static_cast<int>(ball.points.size());
+    const Vec3 place(2 + 0.1 * k, 0, 0);
+    for (const Vec3& d : {Vec3(0, 0, 0), Vec3(0.02, 0, 0), Vec3(0, 0.02, 0)}) ball.points.push_back(place + d);
+    ball.triangles.push_back({first, first + 1, first + 2});
+  }
+  write("debris.ply", ball);
+  const Outcome run = fill("debris.ply", "--auto --check");
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("20 fragments removed"), HasSubstr("Ready to print: yes")));
+}
+
 TEST_F(PreparationCommands, SpikesOfMissingDataAreNamedAndCut) {
   TriangleSoup terrain = make_graph([](double x, double y) { return 400 + 0.1 * x * y; }, 5, 30);
   for (int v : {200, 201, 480}) terrain.points[v].z() = -9999;

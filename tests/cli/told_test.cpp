@@ -175,7 +175,7 @@ TEST_F(Told, NothingButCutSeamsIsNoSilentZero) {
   write_mesh(work / "in.ply", soup);
   const Outcome run = fill();
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, AllOf(HasSubstr("Nothing was filled"), HasSubstr("more than two faces (1 edges)"),
+  EXPECT_THAT(run.out, AllOf(HasSubstr("Nothing was filled"), HasSubstr("surface is one-sided: 1; fill again with --auto"),
                              HasSubstr("0 left as asked")));
   // With a hole beside it something was done.
   write_mesh(work / "in.ply", joined({soup, cut(make_icosphere(2), [](const Vec3& p) { return p.z() > 0.8; })}));

@@ -437,6 +437,18 @@ TEST(SharpEdges, ASmoothSurfaceHasNone) {
   }
 }
 
+/// Holes so near to each other that the surface between them hangs together by single vertices.
+TEST(SharpEdges, ASmoothSurfaceThatOtherHolesPartHasNone) {
+  Random random(3);
+  TriangleSoup ball = make_icosphere(4);
+  std::erase_if(ball.triangles, [&](const Triangle& t) { return ball.points[t[0]].z() > 0 && random.uniform() < 0.2; });
+  SurfaceModel model = make_surface_model(ball);
+  for (const HoleResult& result : fill_all_holes(model))
+    if (is_filled(result.status)) {
+      EXPECT_NE(result.method(), "sharp_edges") << result.loop.number;
+    }
+}
+
 TEST(SharpEdges, TwoHolesAcrossOneEdgeEachHaveIt) {
   const TriangleSoup cube = test::make_cube(32);
   const Filled filled = fill(without_ball(without_ball(cube, {1, 1, 0.35}, 0.1), {1, 1, 0.65}, 0.1));
