@@ -40,8 +40,8 @@ std::vector<char> hanging(const SurfaceModel& model, const std::vector<int>& com
   std::vector<std::array<int, 3>> edges;  // both ends, and the component of a face at it
   for (const auto face : model.mesh.faces())
     for (const auto h : model.mesh.fh_range(face)) {
-      const auto [a, b] =
-          std::minmax(place_of(model.mesh.from_vertex_handle(h)), place_of(model.mesh.to_vertex_handle(h)));
+      const int from = place_of(model.mesh.from_vertex_handle(h)), to = place_of(model.mesh.to_vertex_handle(h));
+      const auto [a, b] = std::minmax(from, to);
       edges.push_back({a, b, component[face.idx()]});
       if (model.mesh.is_boundary(model.mesh.opposite_halfedge_handle(h))) is_open[component[face.idx()]] = 1;
     }
