@@ -227,7 +227,8 @@ void BatchTest::what_is_wrong_is_told_in_the_dialog() {
     wait_until([&] { return !window.batch().busy(); });
     return summary(*dialog);
   };
-  QCOMPARE(message_of(path("scans"), path("scans")), QStringLiteral("there is no scan in %1").arg(path("scans")));
+  QCOMPARE(message_of(path("scans"), path("scans")),
+           QStringLiteral("the results would go among the scans of %1; choose another folder").arg(path("scans")));
   QCOMPARE(message_of(path("none"), path("results")), QStringLiteral("There is no folder %1.").arg(path("none")));
   QDir().mkpath(path("mine"));
   QFile mine(path("mine/summary.html"));
