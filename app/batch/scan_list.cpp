@@ -127,7 +127,7 @@ std::vector<Found> find_scans(const BatchJob& job) {
       found.push_back({input, input.parent_path(), {}, {}, {}});
     }
     if (found.size() > before) continue;
-    if (is_within(plain(input), results))
+    if (fs::is_directory(input, error) && is_within(plain(input), results))
       throw UsageError(say("the results would go among the scans of %1; choose another folder", path_text(input)));
     throw UsageError(say("there is no scan in %1", path_text(input)));
   }

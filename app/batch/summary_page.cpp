@@ -147,8 +147,8 @@ std::string summary_page(const fs::path& folder, const std::vector<SummaryRow>& 
   std::string html = page_head;
   html += "<h1>" + std::to_string(rows.size()) + " scans</h1>\n<p>" + std::to_string(counts.filled) + " filled, " +
           std::to_string(counts.nothing) + " with nothing to fill, " + std::to_string(counts.look) + " to look at, " +
-          std::to_string(counts.error) + (counts.error == 1 ? " error, " : " errors, ") + std::to_string(counts.waiting) + " waiting; " +
-          std::to_string(counts.as_before) +
+          std::to_string(counts.error) + (counts.error == 1 ? " error, " : " errors, ") +
+          std::to_string(counts.waiting) + " waiting; " + std::to_string(counts.as_before) +
           " of them were complete before this run. <a href='summary.csv'>summary.csv</a></p>\n<p>Loopmend " +
           xml_text(version()) + ": <code>" + xml_text(command_line) + "</code></p>\n" + to_look_at(rows);
   html +=

@@ -19,7 +19,8 @@ class SideSurface {
   enum class Kinds { all, height_fields };
 
   /// @param normal  unit, of the side. @param unit  length that the fit is made in: about the extent of the hole
-  /// @param between  middles of edges: they decide where the points leave a surface open, as the vertices of a wall of one row do
+  /// @param between  middles of edges: they decide where several surfaces go through the points, as through the vertices
+  /// of a wall of one row
   /// @returns nothing for fewer than three points, or where all lie on one line.
   static std::optional<SideSurface> fit(const Points& points, const Vec3& normal, double unit, Kinds kinds = Kinds::all,
                                         const Points& between = {});

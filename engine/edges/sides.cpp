@@ -263,8 +263,8 @@ void join_sides(const Patch& patch, double diameter, const auto& are_one, std::v
     }
 }
 
-/// Of all vertices near the hole from one surface. Where it goes through all, as two planes do through a wall of one row and its lids,
-/// of the middles of edges.
+/// Rms distance of all vertices near the hole from one surface. Where it goes through all of them, as two planes do
+/// through a wall of one row and its lids: that of the middles of edges.
 std::optional<double> rms_of_one_surface(const Patch& patch, const FaceGroups& groups, const Vec3& normal,
                                          double diameter) {
   Side all;

@@ -113,8 +113,8 @@ std::optional<SeamBend> bend_without_finding(const Patch& patch);
 /// Adds to the verdicts of the patch's loops where the surface that was there is likely far.
 void judge_deviation(const Patch& patch, const DeviationEstimate& deviation, std::vector<Verdict>& verdicts);
 
-/// Adds to the verdict of a hole, the first loop of the patch, where the islands joined to it lie far from where a ball through the
-/// loop would go: debris above a hole does.
+/// Of a patch that joins islands to a hole, its first loop: adds a finding to the hole's verdict where the islands make
+/// it rise far beyond a ball through the loop, as debris of the scan does.
 void judge_islands(const Patch& patch, std::vector<Verdict>& verdicts);
 
 /// The worst of them; good where there are none.

@@ -236,42 +236,35 @@ void ConstrainedRemesher::sort_in_space() {
   for (const auto f : mesh_.faces()) update_normal(f);
 }
 
-/// Each split of an edge beside a boundary edge halves the height over that. A long boundary edge cannot be split, and would get a
-/// row of vertices on it.
+/// A long boundary edge cannot be split. Each split beside it halves the height over it, down to vertices on the edge.
 bool ConstrainedRemesher::is_close_to_long_boundary(EH e, const Vec3& middle) const {
   constexpr double long_edge = 3, close = 0.5;  // in target lengths
-  for (const int side : {0, 1}) {
-    const HH h = mesh_.halfedge_handle(e, side);
-    for (const HH beside : {mesh_.next_halfedge_handle(h), mesh_.prev_halfedge_handle(h)}) {
-      const EH boundary = mesh_.edge_handle(beside);
-      if (!mesh_.is_boundary(boundary) || length(boundary) < long_edge * target(e)) continue;
-      const Vec3 from = mesh_.point(mesh_.from_vertex_handle(beside));
-      const Vec3 along = (mesh_.point(mesh_.to_vertex_handle(beside)) - from).normalized();
-      if (along.cross(middle - from).norm() < close * target(e)) return true;
+  for (const int k : {0, 1})
+    for (const auto side : mesh_.fh_range(mesh_.face_handle(mesh_.halfedge_handle(e, k)))) {
+      if (!mesh_.is_boundary(side.edge()) || length(side.edge()) < long_edge * target(e)) continue;
+      const Vec3 along = mesh_.calc_edge_vector(side).normalized();
+      if (along.cross(middle - mesh_.point(side.from())).norm() < close * target(e)) return true;
     }
-  }
   return false;
 }
 
 int ConstrainedRemesher::split_long_edges() {
   int count = 0;
-  for (int pass = 0; pass < 10; ++pass) {
+  for (int pass = 0, before = -1; pass < 10 && count > before; ++pass) {
+    before = count;
     std::vector<std::pair<double, int>> queue;
     for (const auto e : mesh_.edges()) {
       if (mesh_.is_boundary(e)) continue;
-      const bool chord = is_locked(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 0))) &&
-                         is_locked(mesh_.to_vertex_handle(mesh_.halfedge_handle(e, 1)));
+      const bool chord = is_locked(e.v0()) && is_locked(e.v1());
       const double ratio = length(e) / target(e);
       if (ratio > (chord ? 0.5 : 4.0 / 3)) queue.emplace_back(-std::round(6 * std::log(ratio)), e.idx());
     }
-    const int before = count;
     std::sort(queue.begin(), queue.end());
     ask_watch();
     for (const auto& [ratio, index] : queue) {
       if (mesh_.n_vertices() % 4096 == 0) ask_watch();
       const EH e(index);
-      const HH h = mesh_.halfedge_handle(e, 0);
-      const Vec3 middle = (mesh_.point(mesh_.to_vertex_handle(h)) + mesh_.point(mesh_.from_vertex_handle(h))) / 2;
+      const Vec3 middle = mesh_.calc_edge_midpoint(e);
       if (is_close_to_long_boundary(e, middle)) continue;
       const VH v = mesh_.add_vertex(middle);
       size_.resize(mesh_.n_vertices());
@@ -281,7 +274,6 @@ int ConstrainedRemesher::split_long_edges() {
       boundary_normal_.resize(mesh_.n_edges(), Vec3::Zero());
       update_normals_around(v);
     }
-    if (count == before) break;
   }
   return count;
 }

@@ -159,6 +159,21 @@ TEST_F(Cli, IslandsAreJoinedByDefault) {
   EXPECT_EQ(left["loops"][3]["status"], "skipped");
 }
 
+TEST_F(Cli, DebrisAboveAHoleIsNamedWithTheOptionThatHelps) {
+  TriangleSoup soup = cut(make_icosphere(4), [](const Vec3& p) {
+    const double from_axis = p.head<2>().norm();
+    return p.z() > 0 && from_axis > 0.12 && from_axis < 0.45;
+  });
+  for (Vec3& p : soup.points)
+    if (p.z() > 0 && p.head<2>().norm() < 0.2) p.z() += 0.36;
+  write_mesh(holes, soup);
+  const Outcome joined = loopmend_program("fill " + in_out());
+  EXPECT_THAT(joined.out,
+              AllOf(HasSubstr("If the islands in loop 1 are debris, --islands cover"), Not(HasSubstr(":flat"))));
+  const Outcome covered = loopmend_program("fill " + in_out() + "--islands cover");
+  EXPECT_THAT(covered.out, AllOf(HasSubstr("good"), Not(HasSubstr("debris"))));
+}
+
 TEST_F(Cli, EveryFlowModeAndSolverRuns) {
   for (const char* flow : {"mmcvf", "wf", "sdf", "mcf"})
     for (const char* mode : {"steady", "steps --sigma 1 --steps 40", "steps --solver gmres --steps 5"}) {
@@ -277,7 +292,7 @@ TEST_F(Cli, OptionsWithoutEffectAreRefused) {
 TEST_F(Cli, WrongUsageIsTwo) {
   expect_message(loopmend_program(""), 2, "subcommand");
   expect_message(loopmend_program("fill"), 2, "IN");
-  expect_message(loopmend_program("mend x"), 2, "no command 'mend'");
+  expect_message(loopmend_program("polish x"), 2, "no command 'polish'");
   expect_message(loopmend_program("fill " + in_out() + "--flow fast"), 2, "--flow");
   expect_message(loopmend_program("fill " + in_out() + "--sigma 0"), 2, "--sigma");
   expect_message(loopmend_program("fill " + in_out() + "--steps -3"), 2, "--steps");
