@@ -41,7 +41,7 @@ std::set<Defect> repairs_needed(const SurfaceModel& model) {
   std::set<Defect> needed;
   if (model.repairs.duplicate_faces > 0 || find_inverted_shells(model, loops).closed > 0)
     needed = {Defect::duplicate_faces, Defect::non_manifold};
-  if (has_fragments(model)) needed.insert(Defect::fragments);
+  if (has_open_fragments(model)) needed.insert(Defect::fragments);
   return needed;
 }
 

@@ -436,10 +436,12 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
   return result;
 }
 
-bool has_fragments(const SurfaceModel& model) {
+bool has_open_fragments(const SurfaceModel& model) {
   std::size_t count = 0;
-  in_fragments(model, count);
-  return count > 0;
+  const std::vector<char> fragment = in_fragments(model, count);
+  return count > 0 && std::ranges::any_of(model.mesh.faces(), [&](const auto face) {
+           return fragment[face.idx()] && model.mesh.is_boundary(face);
+         });
 }
 
 RepairCounts count_defects(const TriangleSoup& soup, const CancelToken& cancel) {

@@ -69,8 +69,8 @@ struct RepairedSurface {
 RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects = harmless_repairs,
                                const CancelToken& cancel = {});
 
-/// Whether the surface has tiny loose components, as Defect::fragments removes.
-bool has_fragments(const SurfaceModel& model);
+/// Whether the surface has tiny loose components with a boundary, as Defect::fragments removes. Closed ones do no harm.
+bool has_open_fragments(const SurfaceModel& model);
 
 /// What repair_surface() would do about each defect if it were the only one to be repaired; it unites bodies for that.
 /// Cancelled, nothing of use.
