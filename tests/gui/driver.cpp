@@ -294,13 +294,14 @@ int open_holes(const Document& document) {
 QPoint visible_point(MainWindow& window, int loop) {
   const int count = window.document().loops()[loop].edges();
   QWidget* canvas = window.view().canvas();
-  for (int v = 0; v < count; ++v) {
-    const QPoint at = window.view().position_of(loop, v);
-    if (!canvas->rect().adjusted(4, 4, -4, -4).contains(at)) continue;
-    QTest::mouseMove(canvas, at);
-    QApplication::processEvents();
-    if (window.selection().hovered() == loop) return at;
-  }
+  for (int round = 0; round < 3; ++round, settle())  // the view may still have been drawing
+    for (int v = 0; v < count; ++v) {
+      const QPoint at = window.view().position_of(loop, v);
+      if (!canvas->rect().adjusted(4, 4, -4, -4).contains(at)) continue;
+      QTest::mouseMove(canvas, at);
+      QApplication::processEvents();
+      if (window.selection().hovered() == loop) return at;
+    }
   return {-1, -1};
 }
 
