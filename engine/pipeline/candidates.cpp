@@ -269,7 +269,7 @@ void expect_deviation(const EvolutionOptions& options, const CancelToken& cancel
       is_judged(options) &&
       (result.method == Method::flow || result.method == Method::split_flow || result.method == Method::robust_fairing);
   if (!is_calibrated || result.verdicts.empty()) return;
-  result.deviation = expected_deviation(result.patch, cancel);
+  result.deviation = expected_deviation(result.patch, result.seams, result.seams_before, cancel);
   judge_deviation(result.patch, result.deviation, result.verdicts);
 }
 

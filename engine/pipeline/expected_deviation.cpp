@@ -7,66 +7,75 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace loopmend {
 
 namespace {
 
-/// ln(rms / D) = intercept + slope ln(second_order), and quantiles of the residuals: least squares over 299 holes of the 15
+/// ln(rms / D) = the product of these and the regressors, and quantiles of the residuals: least squares over 491 holes of the 18
 /// models of the tuning half of loopmend_cut_models, by loopmend_error_bar (docs/benchmarks/accuracy.md, "Error bar").
-constexpr double intercept = -1.198, slope = 0.822;
-constexpr double half_quantile = 0.088, likely_quantile = 0.671, most_quantile = 1.009;
-constexpr double least_difference =
-    1e-5;  ///< in loop diameters: differences below are of the fairing, not of the patch
+constexpr std::array coefficients{-5.485, 0.131, 0.816, 0.543, 0.367};
+constexpr double half_quantile = 0.004, likely_quantile = 0.482, most_quantile = 0.699;
+constexpr double least_difference = 1e-5;  ///< in loop diameters: below it, differences are of the fairing
+constexpr double least_area = 1e-4, least_seam_deg = 0.01;
+/// Of a vertex, its deviation grows with this power of its own difference (docs/math/filling.md, "Validity checks").
+constexpr double power_at_vertex = 0.4;
 
-double usual_deviation(double second_order) {
-  return std::exp(intercept + slope * std::log(std::max(second_order, least_difference)));
+double usual_deviation(const DeviationSigns& signs) {
+  const std::array x = regressors(signs);
+  return std::exp(std::inner_product(x.begin(), x.end(), coefficients.begin(), 0.0));
 }
 
 }  // namespace
 
-ExpectedDeviation expected_deviation(double second_order) {
-  const double usual = usual_deviation(second_order);
-  return {usual * std::exp(half_quantile), usual * std::exp(likely_quantile), usual * std::exp(most_quantile),
-          second_order};
+std::array<double, 5> regressors(const DeviationSigns& signs) {
+  return {1, std::log(std::fmax(signs.second_order, least_difference)), std::log(std::fmax(signs.area, least_area)),
+          std::log(std::fmax(signs.seam_deg, least_seam_deg)),
+          std::log(std::fmax(signs.initial_seam_deg, least_seam_deg))};
 }
 
-DeviationEstimate expected_deviation(const Patch& patch, const CancelToken& cancel) {
+ExpectedDeviation expected_deviation(const DeviationSigns& signs) {
+  const double usual = usual_deviation(signs);
+  return {usual * std::exp(half_quantile), usual * std::exp(likely_quantile), usual * std::exp(most_quantile), signs};
+}
+
+DeviationEstimate expected_deviation(const Patch& patch, const std::vector<SeamReport>& seams,
+                                     const std::vector<SeamReport>& initial_seams, const CancelToken& cancel) {
   DeviationEstimate estimate;
-  if (patch.free_count == 0 || patch.loops.empty()) return estimate;
+  const std::size_t loops = patch.loops.size();
+  if (patch.free_count == 0 || seams.size() != loops || initial_seams.size() != loops) return estimate;
   Patch faired = patch;
   if (!blend_once(faired, SeamContinuity::tangent, {}, 1, cancel)) return estimate;
   const Eigen::VectorXd mass = barycentric_areas(patch.positions, patch.triangles);
   const std::vector<int> loop_of = loop_of_free_vertices(patch);
-  const std::size_t loops = patch.loops.size();
-  std::vector<double> diameter(loops), area(loops), differences(loops), deviations(loops);
+  std::vector<double> diameter(loops), whole_area(loops), area(loops), squares(loops), deviations(loops);
   for (std::size_t l = 0; l < loops; ++l) diameter[l] = loop_diameter(patch, l);
+  const std::vector<int> loop_of_triangle = loop_of_triangles(patch);
+  for (int f = 0; f < patch.patch_triangles; ++f) {
+    const auto& [a, b, c] = patch.triangles[f];
+    const Vec3 &p = patch.positions[a], &q = patch.positions[b], &r = patch.positions[c];
+    whole_area[loop_of_triangle[f]] += (q - p).cross(r - p).norm() / 2 / std::pow(diameter[loop_of_triangle[f]], 2);
+  }
   estimate.vertices.resize(patch.free_count);
   for (int v = 0; v < patch.free_count; ++v) {
     const int l = loop_of[v];
     const double difference = (patch.positions[v] - faired.positions[v]).norm() / diameter[l];
-    estimate.vertices[v] = usual_deviation(difference);
+    estimate.vertices[v] = std::pow(std::max(difference, least_difference), power_at_vertex);
     area[l] += mass[v];
-    differences[l] += mass[v] * difference * difference;
+    squares[l] += mass[v] * difference * difference;
     deviations[l] += mass[v] * estimate.vertices[v] * estimate.vertices[v];
   }
   for (std::size_t l = 0; l < loops; ++l) {
     ExpectedDeviation& bounds = estimate.loops.emplace_back();
     if (!(area[l] > 0)) continue;
-    bounds = expected_deviation(std::sqrt(differences[l] / area[l]));
+    bounds = expected_deviation(
+        {std::sqrt(squares[l] / area[l]), whole_area[l], seams[l].g1_rms_deg, initial_seams[l].g1_rms_deg});
     for (double* bound : {&bounds.half, &bounds.likely, &bounds.most}) *bound *= diameter[l] * patch.scale;
-  }
-  // The bounds are of the whole patch, which at the seam is exact.
-  const std::vector<int> loop_of_triangle = loop_of_triangles(patch);
-  std::vector<double> whole_area(loops);
-  for (int f = 0; f < patch.patch_triangles; ++f) {
-    const auto& [a, b, c] = patch.triangles[f];
-    whole_area[loop_of_triangle[f]] +=
-        (patch.positions[b] - patch.positions[a]).cross(patch.positions[c] - patch.positions[a]).norm() / 2;
   }
   for (int v = 0; v < patch.free_count; ++v) {
     const int l = loop_of[v];
-    estimate.vertices[v] *= estimate.loops[l].likely / std::sqrt(deviations[l] / whole_area[l]);
+    estimate.vertices[v] *= estimate.loops[l].likely / std::sqrt(deviations[l] / area[l]);
   }
   return estimate;
 }

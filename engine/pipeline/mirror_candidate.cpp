@@ -46,7 +46,7 @@ double difference(const Patch& copy, const Patch& other) {
 double usual_deviation(const PatchResult& result, const CancelToken& cancel) {
   if (result.method != Method::flow && result.method != Method::split_flow && result.method != Method::robust_fairing)
     return 0;
-  const DeviationEstimate deviation = expected_deviation(result.patch, cancel);
+  const DeviationEstimate deviation = expected_deviation(result.patch, result.seams, result.seams_before, cancel);
   return deviation.loops.empty() ? 0 : deviation.loops[0].half / (loop_diameter(result.patch, 0) * result.patch.scale);
 }
 
@@ -116,17 +116,18 @@ void make_symmetric(const PatchProblem& problem, const Judge& judge, const Cance
   result.mirror.answer = MirrorFit::Answer::symmetric;
 }
 
-ExpectedDeviation expected_mirror_deviation(double difference, double seam_deg) {
-  const double usual =
+ExpectedDeviation expected_mirror_deviation(double difference, double seam_deg, double misfit) {
+  const double fitted =
       std::exp(mirror_intercept + difference_slope * std::log(std::max(difference, least_difference_known)) +
                seam_slope * std::log(std::max(seam_deg, least_seam_deg)));
-  return {usual * std::exp(mirror_half), usual * std::exp(mirror_likely), usual * std::exp(mirror_most), 0};
+  const double usual = std::max(fitted, misfit * std::exp(-mirror_likely));
+  return {usual * std::exp(mirror_half), usual * std::exp(mirror_likely), usual * std::exp(mirror_most), {}};
 }
 
 DeviationEstimate expected_mirror_deviation(const PatchResult& result) {
   DeviationEstimate estimate;
-  ExpectedDeviation& bounds =
-      estimate.loops.emplace_back(expected_mirror_deviation(result.mirror.difference, result.seams[0].g1_rms_deg));
+  ExpectedDeviation& bounds = estimate.loops.emplace_back(
+      expected_mirror_deviation(result.mirror.difference, result.seams[0].g1_rms_deg, result.mirror.misfit));
   const double diameter = loop_diameter(result.patch, 0) * result.patch.scale;
   for (double* bound : {&bounds.half, &bounds.likely, &bounds.most}) *bound *= diameter;
   estimate.vertices.assign(result.patch.free_count, bounds.likely);

@@ -22,8 +22,8 @@ void make_symmetric(const PatchProblem& problem, const Judge& judge, const Cance
 
 /// Bounds of a copy, in diameters (docs/math/mirror_image.md, "How far off"). @param difference from the ordinary
 /// patch, diameters.
-/// @param seam_deg  rms bend at the copy's seam.
-ExpectedDeviation expected_mirror_deviation(double difference, double seam_deg);
+/// @param seam_deg  rms bend at the copy's seam. @param misfit  MirrorFit::misfit: the likely bound is no smaller.
+ExpectedDeviation expected_mirror_deviation(double difference, double seam_deg, double misfit);
 
 /// The same for the patch, mesh units.
 DeviationEstimate expected_mirror_deviation(const PatchResult& result);

@@ -72,7 +72,8 @@ struct Hole {
   int edges = 0, removed = 0;
   std::map<std::string, double> d;  ///< by method, 1e-3 of the diameter; NaN: not filled
   std::string status, attempt;      ///< of `auto`
-  double second_order = 0;          ///< ExpectedDeviation of `auto`; 0: not known
+  DeviationSigns signs;             ///< of `auto`; 0: not known
+  double at_vertices = 0;           ///< PatchFigures::d_rms of `auto`
   MirrorFit mirror;                 ///< where it was measured
   double seconds = 0;
 
@@ -168,7 +169,8 @@ Hole run_hole(const Cut& cut, const std::string& model, Methods methods) {
   take("auto", ours);
   hole.status = ours.status;
   hole.attempt = ours.attempt;
-  hole.second_order = ours.second_order;
+  hole.signs = ours.signs;
+  if (ours.complete) hole.at_vertices = measure(problem, ours).d_rms;
   hole.seconds = ours.seconds;
   if (methods == Methods::mirror) {
     FillOptions mirrored;
@@ -280,15 +282,20 @@ Table mirror_table(const std::vector<Hole>& holes) {
 
 std::string csv(const std::vector<Hole>& holes) {
   Table table({"hole", "model", "shape", "edges", "removed", "method", "d", "score", "status", "attempt", "seconds",
-               "second_order", "mirror", "misfit", "difference"});
+               "d_vertices", "second_order", "area", "seam_deg", "initial_seam_deg", "mirror", "misfit", "difference"});
   for (const Hole& hole : holes)
-    for (const auto& [method, d] : hole.d)
+    for (const auto& [method, d] : hole.d) {
+      const bool is_default = method == "auto", is_mirror = method == mirror_name;
+      const auto of_default = [&](const std::string& text) { return is_default ? text : std::string(); };
+      const auto of_mirror = [&](const std::string& text) { return is_mirror ? text : std::string(); };
       table.add({hole.name, hole.model, hole.shape, number(hole.edges), number(hole.removed), method, number(d),
-                 number(hole.score(method)), method == "auto" ? hole.status : "", method == "auto" ? hole.attempt : "",
-                 method == "auto" ? number(hole.seconds) : "", method == "auto" ? number(hole.second_order) : "",
-                 method == mirror_name ? to_string(hole.mirror.answer) : "",
-                 method == mirror_name ? number(hole.mirror.misfit) : "",
-                 method == mirror_name ? number(hole.mirror.difference) : ""});
+                 number(hole.score(method)), of_default(hole.status), of_default(hole.attempt),
+                 of_default(number(hole.seconds)), of_default(number(hole.at_vertices)),
+                 of_default(number(hole.signs.second_order)), of_default(number(hole.signs.area)),
+                 of_default(number(hole.signs.seam_deg)), of_default(number(hole.signs.initial_seam_deg)),
+                 of_mirror(to_string(hole.mirror.answer)), of_mirror(number(hole.mirror.misfit)),
+                 of_mirror(number(hole.mirror.difference))});
+    }
   return table.csv();
 }
 

@@ -23,11 +23,10 @@ namespace {
 using namespace loopmend;
 using namespace loopmend::bench;
 
-/// One hole, all in loop diameters.
 struct Hole {
   std::string model;
-  double distance = 0;  ///< rms from what was there
-  double second_order = 0;
+  double distance = 0;  ///< of the new vertices from what was there, rms, loop diameters
+  DeviationSigns signs;
 };
 
 /// Rows of `auto` whose error bar is known. @throws InvalidArgument where the file cannot be read or has none.
@@ -48,7 +47,9 @@ std::vector<Hole> read_holes(const std::string& path) {
       return k < cells.size() ? std::strtod(cells[k].c_str(), nullptr) : 0;
     };
     if (cells[column.at("method")] != "auto" || !(number("second_order") > 0)) continue;
-    holes.push_back({cells[column.at("model")], number("d") / 1000, number("second_order")});
+    holes.push_back({cells[column.at("model")],
+                     number("d_vertices") / 1000,
+                     {number("second_order"), number("area"), number("seam_deg"), number("initial_seam_deg")}});
   }
   if (holes.empty()) throw InvalidArgument(verbatim("no hole with an error bar in " + path));
   return holes;
@@ -59,17 +60,21 @@ double logarithm(double value) { return std::log(std::max(value, 1e-5)); }
 /// The constants of engine/pipeline/expected_deviation.cpp.
 void fit(const std::vector<Hole>& holes) {
   const auto n = static_cast<Eigen::Index>(holes.size());
-  Eigen::MatrixXd X(n, 2);
+  constexpr auto columns = static_cast<Eigen::Index>(std::tuple_size_v<decltype(regressors({}))>);
+  Eigen::Matrix<double, Eigen::Dynamic, columns> X(n, columns);
   Eigen::VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    X.row(i) << 1, logarithm(holes[i].second_order);
+    const std::array row = regressors(holes[i].signs);
+    X.row(i) = Eigen::Map<const Eigen::Matrix<double, 1, columns>>(row.data());
     y[i] = logarithm(holes[i].distance);
   }
-  const Eigen::Vector2d x = X.colPivHouseholderQr().solve(y);
-  const Eigen::VectorXd left = y - X * x;
+  const Eigen::Vector<double, columns> coefficients = X.colPivHouseholderQr().solve(y);
+  const Eigen::VectorXd left = y - X * coefficients;
   const std::vector<double> residuals(left.begin(), left.end());
-  std::printf("intercept %.3f, slope %.3f; quantiles of the residual: 50 %% %.3f, 80 %% %.3f, 90 %% %.3f\n", x[0], x[1],
-              quantile(residuals, 0.5), quantile(residuals, 0.8), quantile(residuals, 0.9));
+  std::printf("coefficients");
+  for (double coefficient : coefficients) std::printf(" %.3f", coefficient);
+  std::printf("; quantiles of the residual: 50 %% %.3f, 80 %% %.3f, 90 %% %.3f\n", quantile(residuals, 0.5),
+              quantile(residuals, 0.8), quantile(residuals, 0.9));
 }
 
 std::vector<double> ranks(const std::vector<double>& values) {
@@ -97,7 +102,7 @@ std::vector<std::string> coverage(const std::string& name, const std::vector<con
   int half = 0, likely = 0, most = 0, near = 0;
   std::vector<double> bounds, distances;
   for (const Hole* hole : holes) {
-    const ExpectedDeviation bar = expected_deviation(hole->second_order);
+    const ExpectedDeviation bar = expected_deviation(hole->signs);
     half += hole->distance <= bar.half;
     likely += hole->distance <= bar.likely;
     most += hole->distance <= bar.most;

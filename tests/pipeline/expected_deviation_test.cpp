@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/expected_deviation.h"
+#include "core/random.h"
 #include "operators/operator_set.h"
 #include "support/patches.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace loopmend {
 namespace {
@@ -26,12 +28,29 @@ HoleResult filled(const TriangleSoup& soup, const EvolutionOptions& evolution = 
 TEST(ExpectedDeviation, BoundsAreInOrderAndGrowWithTheDifferenceOfTheFairings) {
   double last = 0;
   for (double difference : {0.0, 1e-6, 1e-4, 1e-3, 1e-2, 0.1}) {
-    const ExpectedDeviation bounds = expected_deviation(difference);
+    const ExpectedDeviation bounds = expected_deviation({difference, 0.7, 1, 5});
     EXPECT_LT(bounds.half, bounds.likely);
     EXPECT_LT(bounds.likely, bounds.most);
     EXPECT_GE(bounds.likely, last);
     last = bounds.likely;
   }
+}
+
+TEST(ExpectedDeviation, GrowsWithTheBendsAtTheSeam) {
+  const double smooth = expected_deviation({1e-3, 0.7, 0.5, 5}).likely;
+  EXPECT_GT(expected_deviation({1e-3, 0.7, 5, 5}).likely, 2 * smooth);
+  EXPECT_GT(expected_deviation({1e-3, 0.7, 0.5, 20}).likely, smooth);
+  const double unmeasured = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(expected_deviation({1e-3, 0.7, unmeasured, unmeasured}).is_known());
+}
+
+/// Noise around a hole is no larger a difference of the fairings; it shows at the seam.
+TEST(ExpectedDeviation, IsLargerUnderNoise) {
+  const TriangleSoup smooth = open_sphere(1);
+  TriangleSoup noisy = smooth;
+  Random random(7);
+  for (Vec3& p : noisy.points) p *= 1 + random.uniform(-0.017, 0.017);
+  EXPECT_GT(filled(noisy).deviation().likely, 3 * filled(smooth).deviation().likely);
 }
 
 TEST(ExpectedDeviation, IsInMeshUnits) {
@@ -40,7 +59,6 @@ TEST(ExpectedDeviation, IsInMeshUnits) {
   EXPECT_NEAR(large.deviation().likely / small.deviation().likely, 1000, 1e-3);
 }
 
-/// The mean square over the patch's area is that of the bound; at the seam the patch is exact.
 TEST(ExpectedDeviation, OfVerticesHasTheBoundOfTheLoopAsItsMean) {
   const HoleResult hole = filled(open_sphere(1));
   const PatchResult& result = hole.outcome();
@@ -48,14 +66,10 @@ TEST(ExpectedDeviation, OfVerticesHasTheBoundOfTheLoopAsItsMean) {
   ASSERT_EQ(vertices.size(), static_cast<std::size_t>(result.patch.free_count));
   const Eigen::VectorXd area = barycentric_areas(result.patch.positions, result.patch.triangles);
   double squares = 0, sum = 0;
-  for (int f = 0; f < result.patch.patch_triangles; ++f) {
-    const auto& [a, b, c] = result.patch.triangles[f];
-    const Vec3 &p = result.patch.positions[a], &q = result.patch.positions[b], &r = result.patch.positions[c];
-    sum += (q - p).cross(r - p).norm() / 2;
-  }
   for (int v = 0; v < result.patch.free_count; ++v) {
     EXPECT_GT(vertices[v], 0);
     squares += area[v] * vertices[v] * vertices[v];
+    sum += area[v];
   }
   EXPECT_NEAR(std::sqrt(squares / sum), hole.deviation().likely, 1e-9 * hole.deviation().likely);
 }

@@ -214,11 +214,12 @@ TEST(MirrorImage, NeedsAFlow) {
 }
 
 TEST(ExpectedMirrorDeviation, GrowsWithTheDifferenceAndTheBendOfTheSeam) {
-  const ExpectedDeviation small = expected_mirror_deviation(0.02, 3), rough = expected_mirror_deviation(0.02, 20);
+  const ExpectedDeviation small = expected_mirror_deviation(0.02, 3, 0), rough = expected_mirror_deviation(0.02, 20, 0);
   EXPECT_LT(small.half, small.likely);
   EXPECT_LT(small.likely, small.most);
   EXPECT_LT(small.likely, rough.half);
-  EXPECT_LT(small.likely, expected_mirror_deviation(0.2, 3).likely);
+  EXPECT_LT(small.likely, expected_mirror_deviation(0.2, 3, 0).likely);
+  EXPECT_DOUBLE_EQ(expected_mirror_deviation(0.02, 3, 0.05).likely, 0.05);
 }
 
 }  // namespace

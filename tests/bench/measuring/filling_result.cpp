@@ -61,7 +61,8 @@ void take_results(const std::vector<HoleResult>& results, Filling& filling) {
     filling.steps = std::max(filling.steps, result.steps());
     filling.bending = std::max(filling.bending, result.outcome().bending);
     add_lowered_energy(result.outcome(), filling);
-    filling.second_order = std::max(filling.second_order, result.deviation().second_order);
+    if (const DeviationSigns& signs = result.deviation().signs; signs.second_order > filling.signs.second_order)
+      filling.signs = signs;
     if (result.status == PatchStatus::failed || result.status == PatchStatus::skipped) filling.complete = false;
     if (severity(result.status) <= severity(worst)) continue;
     worst = result.status;
