@@ -27,6 +27,7 @@ namespace {
 /// A neighborhood in sides leaves so much of the distance from one polynomial at most.
 constexpr double most_rms_ratio = 0.4;
 constexpr double most_misfit = 0.012, most_misfit_anywhere = 0.06;  ///< of the loop from the surfaces, diameters
+constexpr double most_noisy_misfit = 0.05;                          ///< where noise was filtered
 constexpr double most_drawn_misfit = 0.05, most_drawn_misfit_anywhere = 0.2;  ///< where a person drew an edge
 constexpr double most_rms_of_lone_side = 0.002;                               ///< diameters, where it is no plane
 /// Diameters. Sides of sharp CAD and constructed models leave 1e-15, those that creases of eleven holes of organic
@@ -281,6 +282,15 @@ struct Tolerance {
   double rms = most_misfit, anywhere = most_misfit_anywhere;
 };
 
+/// The vertices of a noisy loop are as far off as those around it.
+Tolerance with_noise(Tolerance tolerance, const Sides& sides, double diameter) {
+  if (sides.are_noisy) {
+    tolerance.rms = std::max(tolerance.rms, std::min(2 * sides.rms / diameter, most_noisy_misfit));
+    tolerance.anywhere = std::max(tolerance.anywhere, 5 * sides.rms / diameter);
+  }
+  return tolerance;
+}
+
 /// The loop's distances from the surfaces, each vertex on those that it belongs to.
 struct Misfit {
   double sum = 0, largest = 0;
@@ -355,6 +365,7 @@ bool ends_at_sharp_edges(const Patch& patch) {
 ContinuedEdges continue_sharp_edges(const Patch& initial, const LoopEdits& edits, const CancelToken& cancel) {
   ContinuedEdges continued;
   if (initial.loops.size() != 1 || !is_plain(initial)) return continued;
+  const double diameter = loop_diameter(initial, 0);
   Tolerance tolerance;
   if (!edits.drawn.empty()) tolerance = {most_drawn_misfit, most_drawn_misfit_anywhere};
   for (const SeamPrice price : {SeamPrice::apart, SeamPrice::off_seam})
@@ -364,10 +375,11 @@ ContinuedEdges continue_sharp_edges(const Patch& initial, const LoopEdits& edits
       for (int round = 0; round < most_joins && !cancel.cancelled(); ++round) {
         const std::optional<Sides> sides = sharp_sides(initial, reach, side_edits);
         if (!sides) break;
-        continued.are_clear = continued.are_clear || (sides->surfaces.size() > 1 &&
-                                                      sides->rms < most_rms_of_clear_sides * loop_diameter(initial, 0));
+        continued.are_clear =
+            continued.are_clear || (sides->surfaces.size() > 1 && sides->rms < most_rms_of_clear_sides * diameter);
         std::vector<std::pair<int, int>> joined;
-        continued.patch = continue_sides(initial, *sides, tolerance, edits, price, joined, cancel);
+        continued.patch =
+            continue_sides(initial, *sides, with_noise(tolerance, *sides, diameter), edits, price, joined, cancel);
         if (continued.patch && joined.empty()) return continued;
         continued.patch.reset();
         if (joined.empty()) break;

@@ -23,6 +23,7 @@ struct Sides {
   int groups = 0;                     ///< of faces between sharp edges, also of those away from the hole
   double rms = 0;                     ///< of the vertices from the surfaces of their sides, patch frame
   double rms_of_one = 0;              ///< of all vertices from one polynomial
+  bool are_noisy = false;             ///< parted by filtered normals
 };
 
 /// What parts or joins sides beside the surface itself.

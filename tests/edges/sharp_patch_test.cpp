@@ -292,7 +292,7 @@ TEST(SharpEdges, AnEdgeThatFadesOutNearTheHoleRunsOn) {
 }
 
 TEST(SharpEdges, NoiseOfAScanKeepsTheEdge) {
-  for (const double noise : {0.001, 0.004}) {  // edges of 1/24
+  for (const double noise : {0.001, 0.004, 0.0075}) {  // edges of 1/24
     const Filled filled = fill(with_noise(without_ball(test::make_cube(24), {1, 1, 0.5}, 0.25), noise));
     EXPECT_EQ(filled.patch().made_by, "sharp edges") << noise;
     EXPECT_LT(filled.farthest(off_cube), 6 * noise);
