@@ -12,7 +12,7 @@ enum ExitCode : int {
   exit_unreadable = 3,     ///< the input cannot be read
   exit_unwritable = 4,     ///< an output cannot be written
   exit_internal = 5,       ///< a fault of ours
-  exit_reader_gone = 141,  ///< whoever read standard output has closed it; files stand. As the shell tells SIGPIPE.
+  exit_reader_gone = 141,  ///< whoever read standard output has closed it; files stand. As a shell reports SIGPIPE.
   // Signals that end the process: 128 + their number, 130 for Ctrl-C (interrupt.h).
 };
 

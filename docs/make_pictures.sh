@@ -21,7 +21,7 @@ trap 'rm -rf "$folder"' EXIT
 "$program" sample -o "$folder/scan.ply"
 "$program" fill "$folder/scan.ply" -o "$folder/filled.ply" --quiet
 "$program" render "$folder/scan.ply" "$folder/filled.ply" --view front --size 1200x620 -o "$assets/before_after.png"
-"$program" render "$folder/scan.ply" --film "$assets/flow.gif" --loop 2 --mode steps --sigma 0.3 --size 480x360
+"$program" render "$folder/scan.ply" --film "$assets/flow.gif" --film-length 10 --loop 2 --mode steps --sigma 0.3 --size 480x360
 "$python" "$docs/user/pictures/make_cases.py" "$program" "$docs/user/pictures"
 shared=$docs/../../shared
 if [[ -d $shared/scans2 ]]; then

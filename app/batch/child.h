@@ -11,7 +11,7 @@
 namespace loopmend {
 
 struct ChildEnd {
-  int code = 0;      ///< its exit code; 128 + signal where one has killed it, as a shell tells it
+  int code = 0;      ///< its exit code; 128 + signal where one has killed it, as in a shell
   std::string said;  ///< the end of what it wrote to standard error
 };
 

@@ -27,7 +27,7 @@ struct ResultFiles {
 };
 ResultFiles result_files(const std::filesystem::path& folder);
 
-/// What tells that a file is as it was.
+/// Shows whether a file has changed.
 struct FileState {
   std::uintmax_t size = 0;
   std::int64_t modified = 0;  ///< nanoseconds, by the file system's clock

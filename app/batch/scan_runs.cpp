@@ -37,7 +37,7 @@ bool names(const std::vector<std::string>& options, const std::string& option) {
                      [&](const std::string& word) { return word == option || word.starts_with(option + "="); });
 }
 
-/// The last line that the child wrote, without the names of program and input; what its end tells where it wrote none.
+/// The last line that the child wrote, without the names of program and input; if it wrote none, how it ended.
 Message reason_of(const ChildEnd& end, const fs::path& input) {
   std::string said = end.said;
   while (!said.empty() && (said.back() == '\n' || said.back() == ' ')) said.pop_back();
@@ -181,7 +181,7 @@ class ScanRuns {
     const fs::path picture = files(k).picture;
     if (!wanted || state_of(picture)) return false;
     std::error_code error;
-    fs::create_directories(picture.parent_path(), error);  // render tells what is wrong
+    fs::create_directories(picture.parent_path(), error);  // render reports what is wrong
     running_.emplace_back(k, true, std::nullopt, job_.program,
                           std::vector<std::string>{"render", as_argument(scans_[k].input), as_argument(files(k).mesh),
                                                    "-o", as_argument(picture), "--size", "1200x600"});

@@ -11,7 +11,7 @@
 
 namespace loopmend {
 
-/// What the report of a scan tells, in short.
+/// The report of a scan, in short.
 struct ScanFigures {
   std::size_t vertices = 0, faces = 0;  ///< of the input
   int loops = 0, filled = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the command line: which command they are, and what becomes of its errors.
+// Parses the command line: which command it is, and how its errors are reported.
 #pragma once
 
 namespace loopmend {

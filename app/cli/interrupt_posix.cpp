@@ -27,7 +27,7 @@ constexpr std::array<StopSignal, 4> stop_signals{{{SIGINT, "cancelled"},
                                                   {SIGXCPU, "cancelled at the limit of processor time (SIGXCPU)"}}};
 constexpr std::array<int, 5> crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-// A handler has no other way to what it acts on, and to what it leaves.
+// A handler can reach what it acts on, and what it leaves, only by globals.
 CancelToken* to_cancel = nullptr;  ///< set once, before the handler is
 const char* last_words = "";       ///< likewise
 std::atomic<int> stopped_by{0};
@@ -45,7 +45,7 @@ void leave(int signal) {
   _exit(128 + signal);
 }
 
-/// The default action comes next: the shell tells the signal, and there is a core file where one is wanted.
+/// The default action comes next: the shell names the signal, and there is a core file where one is wanted.
 void tell_crash(int signal) {
   const bool first = !leaving.test_and_set();
   if (first) {
@@ -127,7 +127,7 @@ void handle_signals(const char* at_the_end) {
   handle_crashes();
   // A file that grows beyond `ulimit -f` then fails with an error that can be reported, in place of a signal.
   std::signal(SIGXFSZ, SIG_IGN);
-  // Who reads our words may stop: the files are made all the same.
+  // If the reader of our messages stops, the files are written nevertheless.
   std::signal(SIGPIPE, SIG_IGN);
 }
 

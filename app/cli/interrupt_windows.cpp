@@ -15,7 +15,7 @@ namespace {
 
 constexpr int interrupted = 130;  // 128 + SIGINT, as elsewhere
 
-// A handler has no other way to what it acts on, and to what it leaves.
+// A handler can reach what it acts on, and what it leaves, only by globals.
 CancelToken* to_cancel = nullptr;  ///< set once, before the handler asks for it
 const char* last_words = "";       ///< likewise
 std::atomic<bool> may_finish{false}, was_cancelled{false};

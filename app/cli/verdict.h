@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a surface could be printed, as `--check` tells it.
+// Whether a surface could be printed, as `--check` reports it.
 #pragma once
 
 #include "mesh/watertight.h"

@@ -271,7 +271,7 @@ EvolutionOptions CompareWindow::options() const {
 
 void CompareWindow::run() {
   if (flow_comparison_.stage() != ComparisonController::Stage::ready) return;
-  banner_->hide();  // what it tells is of the last run
+  banner_->hide();  // its message is on the last run
   flow_comparison_.run(options());
   for (FlowCanvas* canvas : canvases()) canvas->expect_news();
 }

@@ -43,7 +43,7 @@ class FlowCanvas : public QWidget {
   double line() const;
   void set_line(double share);
 
-  /// When the clock says so: several wishes make one picture.
+  /// When the clock says so: several requests make one picture.
   void redraw();
   /// Now; for the clock.
   void draw();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One view of a comparison: which flow, its figures, its picture, and the way to take it over.
+// One view of a comparison: which flow, its figures, its picture, and the button that takes it over.
 #pragma once
 
 #include "jobs/comparison_controller.h"

@@ -18,7 +18,7 @@ class PictureClock : public QObject {
  public:
   explicit PictureClock(QObject* parent = nullptr);
 
-  /// Soon; several wishes make one picture.
+  /// Soon; several requests make one picture.
   void request(FlowCanvas* canvas);
   void forget(FlowCanvas* canvas);
 

@@ -21,7 +21,7 @@ class ExportDialog : public QFileDialog {
   ExportDialog(PrintCheck& check, const QString& proposal, const QStringList& filters, const QString& filter,
                QWidget* parent = nullptr);
 
-  /// Says that what is hidden in the picture is written all the same.
+  /// Says that components hidden in the picture are written, too.
   void tell_of_hidden(int count);
   /// @param name  "millimetres"; empty: the unit is not known
   void tell_unit(const QString& name);

@@ -33,7 +33,7 @@ class FilmDialog : public QDialog {
   explicit FilmDialog(FilmSource source, QWidget* parent = nullptr);
   ~FilmDialog() override;
 
-  /// Begins to write; saved() tells of its end, and a line in the dialog of a failure.
+  /// Begins to write; saved() reports its end, and a line in the dialog a failure.
   void save(const QString& path);
   bool busy() const { return job_ != nullptr; }
 

@@ -28,7 +28,7 @@ class PictureDialog : public QDialog {
   explicit PictureDialog(MeshView& view, QWidget* parent = nullptr);
   explicit PictureDialog(PictureSource source, QWidget* parent = nullptr);
 
-  /// @returns whether it was written; tells in place if not.
+  /// @returns whether it was written; if not, the dialog says why.
   bool save(const QString& path);
 
  Q_SIGNALS:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the program in the person's language.
+// The texts of the program in the person's language.
 #pragma once
 
 #include <QString>

@@ -39,7 +39,7 @@ struct OpenedScan {
   std::vector<SurfaceShapePtr> colored;              ///< the parts that it is drawn by in its own colours
   std::shared_ptr<const std::vector<Color>> colors;  ///< per vertex of the view; null: it has none
   std::vector<Message> color_problems;               ///< sentences
-  std::uint64_t fingerprint = 0;  ///< of points and triangles: tells whether a file is still the same
+  std::uint64_t fingerprint = 0;  ///< of points and triangles: shows whether a file is still the same
 };
 
 std::uint64_t fingerprint_of(const TriangleSoup& soup);

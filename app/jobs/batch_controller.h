@@ -23,7 +23,7 @@ class BatchController : public QObject {
   /// Of the command line, which does the work: it lies beside this one.
   static std::filesystem::path program();
 
-  /// One of finished() and failed() tells of its end.
+  /// One of finished() and failed() reports its end.
   void start(BatchJob job);
   /// Ends the scans that are being filled. What is done stays, and the next run goes on there.
   void stop();

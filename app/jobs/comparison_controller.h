@@ -24,7 +24,7 @@ struct ComparisonSource {
   Vec3 origin = Vec3::Zero();                      ///< of `neighborhood`
 };
 
-/// One flow as far as it has come. Immutable.
+/// The present state of one flow. Immutable.
 struct ComparedRun : PatchResult {
   enum class Stage { start, moving, ended, stopped } stage = Stage::start;
   EvolutionOptions options;  ///< that led here

@@ -200,7 +200,7 @@ void FillController::start_fill(FillRequest request) {
 
 /// The next estimate is made of it.
 void FillController::note_time(const std::set<int>& loops, double seconds) {
-  constexpr int least_vertices = 2000;  // a smaller patch tells of other things
+  constexpr int least_vertices = 2000;  // the time of a smaller patch says little on the rest
   for (int loop : loops)
     if (const OpenPatch* patch = document_.patch_of(loop); patch && patch->state->patch.free_count >= least_vertices)
       seconds_per_vertex_ = seconds / patch->state->patch.free_count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one place where a wish of the person becomes a job, and a job's outcome becomes a change of the document.
+// Runs user requests as jobs, and applies their results to the document.
 #pragma once
 
 #include "document/document.h"

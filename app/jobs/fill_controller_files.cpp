@@ -66,7 +66,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         stages.picture = nullptr;
         stages.stage(tr("Computing curvature"));
         add_curvature(scan, job);
-      } catch (const std::exception& error) {  // the other files are opened all the same
+      } catch (const std::exception& error) {  // the other files are opened nevertheless
         job->post([report, words = labels::in_words(message_of(error))] { report(words); });
       }
     }

@@ -49,7 +49,7 @@ struct FillRun {
   /// Of loops, and of the work that they are. On several threads, one call at a time; may be empty.
   std::function<void(int done, int total, double share_of_work)> progress;
 
-  /// How long it will still take, seconds; may be empty. Of one hole alone: of several, progress() tells the share.
+  /// How long it will still take, seconds; may be empty. Of one hole alone: of several, progress() has the share.
   std::function<void(double seconds)> expects;
   double seconds_per_vertex = 0;  ///< that were measured
 

@@ -23,7 +23,7 @@ class PrintCheck : public QObject {
   /// Nothing while it is looked for, or where the scene is too large to be looked at unasked.
   const std::optional<Watertightness>& result() const { return result_; }
   bool is_running() const { return job_ != nullptr; }
-  /// Also of a large scene. changed() tells when it is known.
+  /// Also of a large scene. changed() comes when it is known.
   void start();
   /// For the end of the program. @returns whether every worker has ended.
   bool shut_down(std::chrono::milliseconds at_most);

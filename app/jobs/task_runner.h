@@ -37,7 +37,7 @@ class Mailbox : public QObject {
   std::deque<std::function<void()>> letters_;
 };
 
-/// One job: its way to cancel, and its way to speak to the window.
+/// One job: how it is cancelled, and how it reaches the window.
 class Job {
  public:
   /// On the window's thread.

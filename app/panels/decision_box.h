@@ -36,7 +36,7 @@ class DecisionBox : public QGroupBox {
   void seam_wanted();
   void candidates_wanted();
   void notice(const QString& words);
-  /// The patch whose state the timeline tells, or no_patch; again whenever that state is another.
+  /// The patch whose state the timeline shows, or no_patch; again whenever that state is another.
   void state_told(int patch_id);
 
  private:

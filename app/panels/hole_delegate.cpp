@@ -121,7 +121,7 @@ void HoleDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   painter->translate(option.rect.left() + dot_column_px / 2.0 + 1, option.rect.center().y() + 0.5);
   const HoleState state = document_.state(loop);
   const bool selected = cell.state.testFlag(QStyle::State_Selected);
-  if (selected) {  // its colour tells the verdict, also there
+  if (selected) {  // its colour is that of the verdict, also there
     painter->setPen(Qt::NoPen);
     painter->setBrush(option.palette.color(QPalette::Base));
     painter->drawEllipse(QPointF(0, 0), ground_px, ground_px);

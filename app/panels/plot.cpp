@@ -120,7 +120,7 @@ void Plot::resizeEvent(QResizeEvent* event) {
 void Plot::drop_legend() {
   key_ = Key::dropped;
   plot_->legend->setVisible(false);
-  plot_->legend->setWrap(0);  // hidden ones take their room all the same: one row
+  plot_->legend->setWrap(0);  // hidden ones take room as well: one row
   plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
   take_colors();
 }

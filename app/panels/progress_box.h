@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Below the patch dock, always in sight: what runs, how far it is, and the way out.
+// Below the patch dock, always in sight: what runs, how far it is, and the button that stops it.
 #pragma once
 
 #include <QElapsedTimer>

@@ -77,7 +77,7 @@ void StatusLine::count() {
     return;
   }
   closed_->setToolTip(tr("Intersections have not been looked for yet"));
-  // Whether a surface is one where it had to be cut, only the check tells.
+  // Only the check shows whether a surface that had to be cut is one.
   closed_->setText(triangles == 0 ? QString()
                    : open > 0     ? tr("Not watertight: %Ln open boundary loop(s)", nullptr, open)
                    : cuts > 0     ? tr("Not checked yet")

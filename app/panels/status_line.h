@@ -24,7 +24,7 @@ class StatusLine : public QWidget {
  public Q_SLOTS:
   /// Until the next figures; without words, the figures come back.
   void say(const QString& words);
-  /// Of the state that the timeline tells, so that both name the same step.
+  /// Of the state that the timeline shows, so that both name the same step.
   void show_figures(int patch_id);
 
  private:

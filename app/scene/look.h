@@ -13,7 +13,7 @@ namespace loopmend {
 /// so the same before, while and after a flow runs.
 struct ColorRange {
   enum class Rule {
-    percentile,       ///< as far as `percent` of a scan's values go on either side; of several scans the widest
+    percentile,       ///< the range of `percent` of a scan's values on either side; of several scans the widest
     own,              ///< `half_width`
     percentile_each,  ///< each scan, and what fills it, by its own values: scans of different sizes show their shapes
   } rule = Rule::percentile;

@@ -84,7 +84,7 @@ void shift(vtkCamera* camera, const Eigen::Vector2d& middle, double aspect) {
 
 Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop) {
   const Vec3 around = boundary_normal(model, loop).normalized(), across = loop_normal(model, loop).normalized();
-  // The boundary of a sheet runs the other way round than the boundary of a hole: there only the surface tells where outside is.
+  // The boundary of a sheet runs the other way round than the boundary of a hole: there only the surface shows where outside is.
   const Vec3 both = across.dot(around) < -0.3 ? around : Vec3(across + 0.5 * around);
   return both.norm() > 1e-6 && both.allFinite() ? Vec3(both.normalized()) : Vec3(Vec3::UnitZ());
 }

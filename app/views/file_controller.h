@@ -42,7 +42,7 @@ class FileController : public QObject {
   void save_session_as();
   /// Asks in place, and closes the window later if that is wanted. @returns whether it may close now.
   bool may_close();
-  /// Tells of work that another run left behind.
+  /// Offers work that another run left behind.
   void offer_recovery();
   /// The same while it is unanswered: a scan that was opened took its place.
   void offer_recovery_again();

@@ -49,7 +49,7 @@ class MainWindow : public QMainWindow {
   void open(const QStringList& paths, OpenMode mode = OpenMode::replace);
   void open(const QString& path) { open(QStringList(path)); }
   void open_sample();
-  /// Tells of work that another run left behind; for the start of the program.
+  /// Offers work that another run left behind; for the start of the program.
   /// As it was when the program ended last; what no longer fits the screens is moved onto them.
   void restore_layout();
   void keep_layout() const;

@@ -12,10 +12,10 @@ namespace loopmend {
 /// Samples in the order of the cut. Mesh units.
 struct SectionProfile {
   enum class Side : char { neighborhood, patch };
-  std::vector<double> arc;    ///< #S, length along the cut; 0 in the middle of the part inside the patch
-  std::vector<double> value;  ///< #S, interpolated along the cut edges
-  std::vector<Side> side;     ///< #S, a sample on the seam belongs to the patch
-  Points path;                ///< #S
+  std::vector<double> arc;    ///< #samples, length along the cut; 0 in the middle of the part inside the patch
+  std::vector<double> value;  ///< #samples, interpolated along the cut edges
+  std::vector<Side> side;     ///< #samples, a sample on the seam belongs to the patch
+  Points path;                ///< #samples
 };
 
 /// Cuts along the axis of a loop, in the direction that `angle` names within the loop's plane.

@@ -174,7 +174,7 @@ class Colorer {
     part.triangles.push_back(t);
   }
 
-  /// What tells the vertices of parts at one vertex of the view from each other.
+  /// Distinguishes the vertices of parts at one vertex of the view.
   struct Look {
     const Picture* picture;
     Color color;

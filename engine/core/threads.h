@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loops and pairs of work shared by threads, and how many threads that may take. On oneTBB, which stays in the .cpp file.
-// Calls may be nested: a thread that has nothing left to do helps with what others have begun.
+// Calls may be nested: an idle thread helps with the calls that others have begun.
 #pragma once
 
 #include <functional>

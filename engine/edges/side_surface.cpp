@@ -16,7 +16,7 @@ constexpr double penalty_quadratic = 0.35, penalty_third = 1;
 constexpr double rank_threshold = 1e-8;
 constexpr double weight_between = 1e-3;  ///< of middles of edges, beside 1 of the points
 constexpr double left_open = 1e-6;       ///< rms distance in units: two quadrics are both as near as that
-constexpr double singular = 0.1;  ///< of the mean ‖∇Q‖: two planes are a quadric, too, with ∇Q = 0 where they meet
+constexpr double singular = 0.1;  ///< of the mean ‖∇q‖: two planes are a quadric, too, with ∇q = 0 where they meet
 constexpr int fewest_for_quadric = 22, fewest_for_exact_quadric = 12;
 constexpr int foot_rounds = 12;
 constexpr double longest_foot_step = 0.2;
@@ -133,7 +133,7 @@ void SideSurface::try_height_field(const Points& local, const Points& between, K
   rms_ = rms * unit_;
 }
 
-/// Taubin 1991: Σ Q² least where Σ ‖∇Q‖² = 1. The constant is eliminated, which leaves a symmetric pencil of nine rows.
+/// Taubin 1991: Σ q² least where Σ ‖∇q‖² = 1. The constant is eliminated, which leaves a symmetric pencil of nine rows.
 void SideSurface::try_quadric(const Points& local, const Points& between, double& best) {
   const int n = static_cast<int>(local.size());
   if (n < fewest_for_exact_quadric) return;

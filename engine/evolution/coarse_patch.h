@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A coarse copy of a large patch, and the way back: most of the way to the steady state costs little on few vertices.
+// Coarsens a large patch, and prolongates the solution of the coarse one.
 #pragma once
 
 #include "evolution/state.h"

@@ -103,7 +103,7 @@ enum class Method {
   mirror_image,    ///< the mirror image of the other side of the scan, its own triangles; no flow
 };
 
-/// Why the boundary data ask for something else than the flow, and how to get the flow all the same. Empty if they do not.
+/// Why the boundary data ask for something else than the flow, and how to get the flow nevertheless. Empty if they do not.
 Message reason_for(const SplitEstimate& estimate, Method method);
 
 /// The word of reports: "mmcvf", "mmcvf_mixed_order", "robust_fairing", ...
@@ -141,7 +141,7 @@ class Evolution {
   /// Called after every accepted step, on the stepping thread.
   using OnStep = std::function<void(const Evolution&, const StepRecord&)>;
 
-  /// One accepted step; status() tells what came of it. Does nothing unless status() is ready or step_limit.
+  /// One accepted step; status() has the result. Does nothing unless status() is ready or step_limit.
   void step(const CancelToken& cancel);
   /// Steps until converged, failed, cancelled, or max_steps more are taken.
   PatchStatus run(const OnStep& on_step, const CancelToken& cancel);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every way to step a patch shares: the present state, what a step may do to it, and the record of the steps.
+// What all methods to step a patch share: the present state, what a step may do to it, and the record of the steps.
 #pragma once
 
 #include "core/message.h"
@@ -53,11 +53,11 @@ struct EvolvingPatch {
   int allowed_folds = 0;  ///< on the way; whoever takes the result looks at what is left
 };
 
-/// One way to step a patch.
+/// One method to step a patch.
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// One accepted step, or EvolvingPatch::status tells why there was none. Called while that is `ready`.
+  /// One accepted step, or EvolvingPatch::status says why there was none. Called while that is `ready`.
   virtual void step(EvolvingPatch& patch, const CancelToken& cancel) = 0;
 };
 

@@ -57,7 +57,7 @@ bool Multilevel::coarse_step(EvolvingPatch& patch, const CancelToken& cancel) {
         patch.options.flow, make_state(patch.start, patch.objective, coarse.stencil, nullptr, Fits::curvatures));
   patch.stencil = coarse.stencil;
   steady_.skip_fairings(steady.damping_unit());
-  // Vertices come and go: how far the middle has come is the only way to tell.
+  // Vertices come and go: only the displacement of the middle can be compared.
   patch.accept_start(std::move(next), record, (centroid(coarse.start) - centroid(coarse.state.patch)).norm());
   return true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steady state of a large patch by way of a coarse copy of it: most of the way costs little on few vertices.
+// The steady state of a large patch by a coarse copy of it: most of the path costs little on few vertices.
 #pragma once
 
 #include "evolution/steady_state.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A few linear fairings that are the whole way: in a rough neighborhood, and for less than curvature continuity.
+// A few linear fairings in place of a flow: in an irregular neighborhood, and for less than curvature continuity.
 #pragma once
 
 #include "evolution/evolving_patch.h"

@@ -198,7 +198,7 @@ bool SteadyState::stagnates(const EvolvingPatch& patch, double move, double ener
   return fall < stagnation_fall * static_cast<double>(most_stagnating_steps);
 }
 
-/// What an accepted step of Gauss-Newton tells: converged, stagnating, or that the next one follows.
+/// Outcome of an accepted step of Gauss-Newton: converged, stagnating, or the next one follows.
 void SteadyState::after_step(EvolvingPatch& patch, int rejections, double energy_before) {
   const double move = patch.history.back().max_move;
   const bool undamped = is_undamped(), at_once = undamped && rejections == 0;

@@ -26,7 +26,7 @@ struct Bridge {
 
 struct BridgeOutcome {
   std::optional<Bridge> bridge;  ///< empty when none was found, or when cancelled
-  Message message;               ///< why there is none, or what is left to wish; empty when all is well
+  Message message;               ///< error or warning; empty if none
 };
 
 /// Joins the loops by one surface without further boundaries: a tube between two, a pair of trousers between three, ... The

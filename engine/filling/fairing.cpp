@@ -30,13 +30,13 @@ bool solve_for(const SparseMatrix& A, const Eigen::MatrixX3d& b, Points& points,
 
 }  // namespace
 
-bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end, const CancelToken& cancel) {
+bool minimise_quadratic_form(const SparseMatrix& A, Points& points, int begin, int end, const CancelToken& cancel) {
   const Eigen::Index n = end - begin;
   if (n == 0) return false;
   Eigen::MatrixX3d fixed = matrix_of(points);
   fixed.middleRows(begin, n).setZero();
-  // Q_ff x_f = −Q_fc x_c; f the vertices [begin, end), c the others.
-  return solve_for(Q.block(begin, begin, n, n), -(Q * fixed).middleRows(begin, n), points, begin, cancel);
+  // A_ff x_f = −A_fc x_c; f the vertices [begin, end), c the others.
+  return solve_for(A.block(begin, begin, n, n), -(A * fixed).middleRows(begin, n), points, begin, cancel);
 }
 
 Points minimal_surface_step(const Points& points, const Triangles& triangles, int locked, const CancelToken& cancel) {
@@ -130,9 +130,9 @@ Points graph_fairing(const Patch& patch, const CancelToken& cancel) {
   Eigen::VectorXd rows(count);
   for (int i = 0; i < count; ++i) rows[i] = patch.ring[i] <= 2 && C.coeff(i, i) > 0 ? 1 / C.coeff(i, i) : 0;
   const SparseMatrix L = rows.asDiagonal() * C;
-  const SparseMatrix Q = SparseMatrix(L.transpose()) * C_inner * L;
+  const SparseMatrix A = SparseMatrix(L.transpose()) * C_inner * L;
   Points result = patch.positions;
-  return minimise_quadratic_form(Q, result, 0, patch.free_count, cancel) ? result : patch.positions;
+  return minimise_quadratic_form(A, result, 0, patch.free_count, cancel) ? result : patch.positions;
 }
 
 }  // namespace loopmend

@@ -8,10 +8,10 @@
 
 namespace loopmend {
 
-/// Minimises xᵀ Q x for each coordinate over the points [begin, end), the others fixed. @param Q  #points square, symmetric.
-/// @returns false if there is nothing to move, Q is not positive definite there, or when cancelled; the points are then as they
+/// Minimises xᵀ A x for each coordinate over the points [begin, end), the others fixed. @param A  #points square, symmetric.
+/// @returns false if there is nothing to move, A is not positive definite there, or when cancelled; the points are then as they
 /// were.
-bool minimise_quadratic_form(const SparseMatrix& Q, Points& points, int begin, int end, const CancelToken& cancel = {});
+bool minimise_quadratic_form(const SparseMatrix& A, Points& points, int begin, int end, const CancelToken& cancel = {});
 
 /// Minimises the area to second order about the given shape (cotan Laplace equation, weights clamped), with vertices
 /// 0..locked−1 fixed: one step of Pinkall and Polthier. Returns the new positions, or the old ones if the solve fails or is cancelled.

@@ -28,7 +28,7 @@ void check(const InitialPatchOptions& options);
 
 struct LoopPatchOutcome {
   std::optional<LoopPatch> patch;  ///< empty when there is no valid triangulation, or when cancelled
-  Message message;                 ///< why there is none, or what is left to wish; empty when all is well
+  Message message;                 ///< error or warning; empty if none
   Validity quality;
 };
 

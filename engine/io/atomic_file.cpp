@@ -36,7 +36,7 @@ struct KnownFile {
     unused,
     being_named,
     unfinished,  ///< the temporary file may be there, the target is as it was
-    in_transit,  ///< is being renamed: whether the temporary file is still there tells how far that got
+    in_transit,  ///< is being renamed: whether the temporary file is still there shows how far that got
     in_place,    ///< stands under its target's name
     folder       ///< `path` is a new folder, wanted for a file that does not stand in it yet
   };

@@ -12,7 +12,7 @@ namespace loopmend {
 
 /// Writes to a temporary file in the same folder, checks the stream, fsyncs, renames over `path`. On any failure the
 /// temporary file is removed and `path` is as it was. A symbolic link is written through; an existing file keeps its
-/// mode and, as far as the system permits, its owner, group and extended attributes; a new one follows the umask. Other
+/// mode and, where the system permits, its owner, group and extended attributes; a new one follows the umask. Other
 /// names of a file with several hard links keep the old file (other_names()). Temporary files in the folder that a dead
 /// process of the same user on this machine has left are removed. What `write` throws is passed on.
 /// @throws WriteError naming the path and the system's reason.
@@ -35,7 +35,7 @@ class OutputTransaction {
   void add(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
   /// Renames in the order of add(). Once, as the last thing.
-  /// @throws WriteError when a rename fails; file_in_place() then tells which files had their names by then.
+  /// @throws WriteError when a rename fails; file_in_place() then says which files had their names by then.
   void commit();
 
  private:
@@ -55,7 +55,7 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 /// is written: to write into it in place would put all of them at risk.
 std::size_t other_names(const std::filesystem::path& path);
 
-/// Tells before long work whether write_file_atomically could begin: the folder is there and takes a new file, and what
+/// Checks before long work whether write_file_atomically could begin: the folder is there and takes a new file, and what
 /// stands at `path` is a regular file that may be replaced. Leaves nothing behind.
 /// @throws WriteError as write_file_atomically.
 void check_writable(const std::filesystem::path& path);

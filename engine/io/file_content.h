@@ -25,7 +25,7 @@ FileContent load_file(const std::filesystem::path& path);
 /// The extension in small letters, without ".gz" after it.
 std::string lower_extension(const std::filesystem::path& path);
 
-/// Tells the format by content first, by the extension only where the content does not say.
+/// Detects the format by content first, by the extension only where the content does not say.
 /// @throws ReadError for content that is known to be something else (Git LFS pointer, UTF-16) or unknown.
 MeshFormat detect_format(const FileContent& file);
 

@@ -55,7 +55,7 @@ class GltfDocument {
   GltfNumbers numbers(std::size_t accessor, const Message& place);
   /// The bytes of a buffer view. @throws ReadError where it does not lie within its buffer
   std::string_view view(std::size_t index, const Message& place);
-  /// What the file and its buffers hold, as far as they were asked for.
+  /// What the file and its buffers hold: the parts that were asked for.
   std::size_t bytes_read() const { return bytes_read_; }
 
   /// "data:MEDIA;base64,…": the bytes, and the media type. @throws ReadError for another kind of data URI

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sentences of the parsers: one place for the words, so that all formats complain alike. Every function throws.
+// The messages of the parsers in one place, so that all formats report alike. Every function throws.
 #pragma once
 
 #include "core/message.h"

@@ -129,7 +129,7 @@ class OffReader {
     read_color(&extras[normal], size - normal - texture);
   }
 
-  /// Plain OFF files with colours are common enough: the number of values tells, not the keyword.
+  /// Plain OFF files with colours are common enough: the number of values decides, not the keyword.
   void read_color(const double* values, std::size_t size) {
     if (size == 0) return;
     if (size != 3 && size != 4) fail_vertex_line();

@@ -34,7 +34,7 @@ struct ImportReport {
   std::size_t skipped_elements = 0;       ///< OBJ lines, points and curves; left out
   bool has_colors = false;
   std::vector<NotKept> not_kept;  ///< what is in no file that is written, by name
-  std::vector<NotKept> oddities;  ///< what is not as the format has it, and was read all the same, by name
+  std::vector<NotKept> oddities;  ///< deviations from the format that were still read, by name
 };
 
 struct ImportedMesh {

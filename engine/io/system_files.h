@@ -24,7 +24,7 @@ void flush_folder(const std::filesystem::path& folder);
 /// Whether this user may write to the file; if not, the reason is in errno.
 bool may_write(const std::filesystem::path& path);
 
-/// Gives the open file the mode of `from` and, as far as the system permits, its owner, group and extended attributes. On
+/// Gives the open file the mode of `from` and, where the system permits, its owner, group and extended attributes. On
 /// Windows a new file has the rights of its folder. @returns 0, or the reason as a value of errno.
 int take_properties(int descriptor, const std::filesystem::path& from);
 

@@ -33,7 +33,7 @@ std::string in_quotes(std::string_view token);
 /// zeros are what a crash leaves of a file that was not wholly written: they stay.
 std::string_view without_end_mark(std::string_view text);
 
-/// Lines end with \n, \r\n or \r; tokens are separated by blanks and tabs; without_end_mark() tells the end.
+/// Lines end with \n, \r\n or \r; tokens are separated by blanks and tabs; without_end_mark() reports the end.
 class TextCursor {
  public:
   /// @param comment_mark  everything from this character to the end of a line is left out; '\0' for none.

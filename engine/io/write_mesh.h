@@ -23,7 +23,7 @@ std::vector<NotKept> carried_attributes(const TriangleSoup& soup);
 
 /// The format follows the extension (.ply .stl .obj .off .glb .gltf .3mf .vtp .vtk, any case), compressed with gzip where .gz comes after it. PLY holds doubles, or floats where the scan was read from
 /// a PLY file of floats; binary is the default; OBJ and OFF are always text with 17 digits; binary STL holds floats.
-/// With the points and faces go the soup's attributes, as far as the format holds them: those of the file for what was read,
+/// With the points and faces go the soup's attributes that the format holds: those of the file for what was read,
 /// those of `continued` for what is new. Polygons of which no triangle was changed are polygons again (not in STL).
 /// What the format cannot hold is not written: not_kept_by_format() names it. Of a soup with attributes and without `continued`
 /// new points and triangles have zeros: export/write_scan.h makes the rows first.
@@ -45,7 +45,7 @@ bool holds_floats(const std::filesystem::path& path, const TriangleSoup& soup, E
 double largest_rounding(const std::filesystem::path& path, const TriangleSoup& soup, Encoding encoding,
                         std::size_t points = std::numeric_limits<std::size_t>::max());
 
-/// Tells before long work whether write_mesh could begin: known extension, folder that takes a file. Writes nothing.
+/// Checks before long work whether write_mesh could begin: known extension, folder that takes a file. Writes nothing.
 /// @throws WriteError as write_mesh.
 void check_mesh_writable(const std::filesystem::path& path);
 

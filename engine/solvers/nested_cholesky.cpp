@@ -124,9 +124,9 @@ class Half {
     return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
 
-  /// S Sᵀ, where S is what of L belongs to the separator; the separator in reverse order, upper triangle.
+  /// F Fᵀ, where F is the part of L that belongs to the separator; the separator in reverse order, upper triangle.
   Eigen::MatrixXd schur_complement() const {
-    // Reversed, S is an upper triangle U, and U Uᵀ is what LAPACK has.
+    // Reversed, F is an upper triangle, and F Fᵀ is what LAPACK has.
     Eigen::MatrixXd left = Eigen::MatrixXd::Zero(separator_, separator_);
     for_schur_blocks([&](int begin, const auto& block, const int* rows) {
       for (Eigen::Index j = 0; j < block.cols(); ++j)
@@ -225,8 +225,8 @@ class Half {
     return A;
   }
 
-  /// visit(begin, block, rows) for the blocks of columns that S has in CHOLMOD's supernodes: the columns begin, begin + 1, …
-  /// of it, from the diagonal on (the upper triangle of the topmost rows means nothing), and the rows of S that these are.
+  /// visit(begin, block, rows) for the blocks of columns that F has in CHOLMOD's supernodes: the columns begin, begin + 1, …
+  /// of it, from the diagonal on (the upper triangle of the topmost rows means nothing), and the rows of F that these are.
   template <class Visit>
   void for_schur_blocks(const Visit& visit) const {
     const cholmod_factor& L = *factor_;
@@ -264,7 +264,7 @@ bool cholesky_of_upper(Eigen::MatrixXd& A) {
 }
 
 /// With rows in the order first half, second half, separator: A = [A₁ 0 B₁ᵀ; 0 A₂ B₂ᵀ; B₁ B₂ C]. The factors of a half end with
-/// Sₖ, where C − Bₖ Aₖ⁻¹ Bₖᵀ = Sₖ Sₖᵀ; when both halves are eliminated, S₁S₁ᵀ + S₂S₂ᵀ − C is left for the separator.
+/// Fₖ, where C − Bₖ Aₖ⁻¹ Bₖᵀ = Fₖ Fₖᵀ; when both halves are eliminated, F₁F₁ᵀ + F₂F₂ᵀ − C is left for the separator.
 class NestedCholesky : public SpdSolver {
  public:
   NestedCholesky(const SparseMatrix& A, const Dissection& dissection) {

@@ -167,14 +167,14 @@ MeasuredPlaces measured_places(const Patch& patch, const Topology& topology) {
 /// Random waves, band by band, that are 0 on the neighborhood and pass into it without a step or a kink.
 class RandomWaves {
  public:
-  /// @param S  lower triangle, of the relief's energy ∫((Δ − κ²) f)²
-  RandomWaves(const BandFilter& filter, const Eigen::VectorXd& mass, SparseMatrix S, int free,
+  /// @param U  lower triangle, of the relief's energy ∫((Δ − κ²) f)²
+  RandomWaves(const BandFilter& filter, const Eigen::VectorXd& mass, SparseMatrix U, int free,
               const CancelToken& cancel)
       : filter_(filter),
         mass_(mass),
-        S_(std::move(S)),
+        U_(std::move(U)),
         free_(free) {
-    valid_ = solver_->factorize(S_.topLeftCorner(free, free), cancel);
+    valid_ = solver_->factorize(U_.topLeftCorner(free, free), cancel);
   }
 
   bool is_valid() const { return valid_; }
@@ -186,7 +186,7 @@ class RandomWaves {
     // What the energy continues from the neighborhood, if this were the relief there, goes.
     Eigen::VectorXd outside = waves;
     outside.head(free_).setZero();
-    const Eigen::VectorXd pull = S_.selfadjointView<Eigen::Lower>() * outside;
+    const Eigen::VectorXd pull = U_.selfadjointView<Eigen::Lower>() * outside;
     Eigen::MatrixXd continued;
     if (!solver_->solve(-pull.head(free_), continued)) return {};
     waves.head(free_) -= continued.col(0);
@@ -197,7 +197,7 @@ class RandomWaves {
  private:
   const BandFilter& filter_;
   const Eigen::VectorXd& mass_;
-  SparseMatrix S_;
+  SparseMatrix U_;
   int free_;
   std::unique_ptr<SpdSolver> solver_ = make_spd_solver();
   bool valid_ = false;

@@ -56,14 +56,14 @@ Eigen::VectorXd SplitProblem::precision(const State& state) const {
 std::optional<SplitProblem::State> SplitProblem::state_at(Points y, const CancelToken& cancel) {
   State state;
   state.geometry = surface_.at(y);
-  state.S = state.geometry.roughness(kappa_);
+  state.U = state.geometry.roughness(kappa_);
   const auto n = static_cast<Eigen::Index>(y.size());
   state.distance = Eigen::VectorXd::Zero(n);
   for (Eigen::Index i = free_; i < n; ++i) state.distance[i] = (scan_[i] - y[i]).dot(state.geometry.normals[i]);
   state.y = std::move(y);
   if (!best_relief(state, cancel)) return std::nullopt;
   state.energy.smooth = 4 * lambda_ * state.geometry.variation();
-  state.energy.relief = state.relief.dot(times(state.S, state.relief));
+  state.energy.relief = state.relief.dot(times(state.U, state.relief));
   if (s2_ > 0) {
     const Eigen::VectorXd e = state.distance - state.relief;
     state.energy.noise = e.dot(precision(state).cwiseProduct(e));
@@ -77,11 +77,11 @@ bool SplitProblem::best_relief(State& state, const CancelToken& cancel) {
   const Eigen::VectorXd& d = state.distance;
   if (s2_ > 0) {
     const Eigen::VectorXd weight = precision(state);
-    return solve(*relief_solver_, state.S + SparseMatrix(weight.asDiagonal()), weight.cwiseProduct(d), state.relief,
+    return solve(*relief_solver_, state.U + SparseMatrix(weight.asDiagonal()), weight.cwiseProduct(d), state.relief,
                  cancel);
   }
   Eigen::VectorXd patch;
-  if (!solve(*relief_solver_, state.S.topLeftCorner(free_, free_), -times(state.S, d).head(free_), patch, cancel))
+  if (!solve(*relief_solver_, state.U.topLeftCorner(free_, free_), -times(state.U, d).head(free_), patch, cancel))
     return false;
   state.relief = d;
   state.relief.head(free_) = patch;
@@ -91,14 +91,14 @@ bool SplitProblem::best_relief(State& state, const CancelToken& cancel) {
 /// The matrix of Gauss-Newton.
 bool SplitProblem::factorize(const CancelToken& cancel) {
   const State& s = state_;
-  const SparseMatrix Q = 4 * lambda_ * s.geometry.hessian();
+  const SparseMatrix lambda_X = 4 * lambda_ * s.geometry.hessian();
   SparseMatrix A;
   if (s2_ > 0) {  // unknown: φ and z
     const SparseMatrix W(precision(s).asDiagonal());
-    A = lower_blocks(Q + W, W, s.S + W);
+    A = lower_blocks(lambda_X + W, W, s.U + W);
   } else {  // φ everywhere, and φ + z on the patch
-    const SparseMatrix whole = s.S.selfadjointView<Eigen::Lower>();
-    A = lower_blocks(Q + s.S, -whole.topRows(free_), s.S.topLeftCorner(free_, free_));
+    const SparseMatrix whole = s.U.selfadjointView<Eigen::Lower>();
+    A = lower_blocks(lambda_X + s.U, -whole.topRows(free_), s.U.topLeftCorner(free_, free_));
   }
   return step_solver_->factorize(A, cancel);
 }
@@ -137,7 +137,7 @@ SplitProblem::Outcome SplitProblem::step(const CancelToken& cancel) {
   if (!is_valid_ || !factorize(cancel)) return unless_cancelled(Outcome::failed);
   const State& s = state_;
   const Eigen::VectorXd down = -4 * lambda_ * s.geometry.half_gradient();
-  const Eigen::VectorXd pull = s2_ > 0 ? precision(s).cwiseProduct(s.distance) : times(s.S, s.distance);
+  const Eigen::VectorXd pull = s2_ > 0 ? precision(s).cwiseProduct(s.distance) : times(s.U, s.distance);
   const Eigen::VectorXd second = s2_ > 0 ? pull : Eigen::VectorXd(-pull.head(free_));
   const std::optional<Eigen::VectorXd> d = solve_for(down + pull, second);
   if (!d) return unless_cancelled(Outcome::failed);

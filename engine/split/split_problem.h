@@ -41,7 +41,7 @@ class SplitProblem {
   struct State {
     Points y;
     SplitGeometry geometry;
-    SparseMatrix S;            ///< lower triangle
+    SparseMatrix U;            ///< of the relief, lower triangle
     Eigen::VectorXd distance;  ///< from y to x along the normals; 0 on the patch
     Eigen::VectorXd relief;
     SplitEnergy energy;

@@ -20,7 +20,7 @@ struct SplitGeometry {
   Eigen::VectorXd half_gradient() const;
   /// BᵀKB, lower triangle.
   SparseMatrix hessian() const;
-  /// ∫ ((Δ − κ²) f)² as fᵀ S f; lower triangle.
+  /// ∫ ((Δ − κ²) f)² as fᵀ U f; lower triangle.
   SparseMatrix roughness(double kappa) const;
 };
 

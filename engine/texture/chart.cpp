@@ -30,7 +30,7 @@ std::pair<int, int> far_points(const Points& points) {
   return {a, farthest(points[a])};
 }
 
-/// Entries of Q, 2n by 2n: ½ (u, v) Q (u, v) = ½ ∫ ‖∇u‖² + ‖∇v‖² − the area of the image.
+/// Entries of A, 2n by 2n: ½ (u, v) A (u, v) = ½ ∫ ‖∇u‖² + ‖∇v‖² − the area of the image.
 std::vector<Eigen::Triplet<double>> conformal_energy(const Points& points, const Triangles& triangles) {
   const int n = static_cast<int>(points.size());
   std::vector<int> faces(triangles.size());

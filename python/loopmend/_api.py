@@ -146,7 +146,7 @@ def fill(
         max_diameter: leaves wider loops; a length greater than 0.
         all_but_largest: leaves so many of the largest loops, those of outer rims among them.
         include_outer_rim: fills the outer rims of open sheets as well.
-        islands: "join" joins pieces of surface within a hole to its patch, "cover" covers them with it.
+        islands: "join" joins the islands within a hole, parts of the surface, to its patch, "cover" covers them with it.
         mirror: closes holes by a copy of the other side, mirrored, where the surface around them fits its image; the planes of
             symmetry are looked for.
         mirror_plane: the same with this plane: x, y, z of a point in it and of its normal.
@@ -176,10 +176,10 @@ def fill(
         repair: makes an oriented manifold of the mesh first, and turns bodies that are inside out.
         cut_intersections: the same, and removes faces that cut others; the holes that this leaves are filled. Bodies that are
             closed but for small holes stay whole where they overlap.
-        union: the same as repair, and makes one body of closed ones that overlap; cavities stay. Open pieces and bodies
+        union: the same as repair, and makes one body of closed ones that overlap; cavities stay. Open components and bodies
             that cross themselves are left: `prepared["repaired"]["union"]` counts them.
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
-            the extent of their piece of surface, for their holes to be filled.
+            the extent of their component, for their holes to be filled.
         cut_no_data: removes the faces at vertices that mark missing data first, such as heights of -9999.
         base: builds a base first under the largest loop, a straight wall to a plane so far below it, as ``base=5.0``; or under
             another loop, as ``base=(2, 5.0)``.
@@ -264,7 +264,7 @@ def check(mesh: Any, faces: Optional[ArrayLike] = None) -> Check:
 
 
 def boundary_loops(mesh: Any, faces: Optional[ArrayLike] = None) -> List[BoundaryLoop]:
-    """The boundary loops of a mesh, by falling perimeter. A closed mesh has none.
+    """The boundary loops of a mesh, by decreasing perimeter. A closed mesh has none.
 
     Parameters:
         mesh, faces: as in fill().
@@ -374,10 +374,10 @@ def blend(
         loops: (part, loop) for each loop to join, both from 1; loops as boundary_loops() numbers them. None: of each part the
             loop that faces the others most; of a single part its two loops.
         flow, boundary, continuity, density, mode, steps, sigma, solver: as in fill().
-        progress: called as progress(step, energy) after each accepted step; what it raises stops the work.
+        progress: called as progress(step, energy) after each accepted step; an exception that it raises stops the work.
 
     Raises:
-        InvalidArgument: no such loop, parts that cut each other, pieces that no two-sided surface joins, arrays or options as
+        InvalidArgument: no such loop, parts that cut each other, loops that no two-sided surface joins, arrays or options as
             in fill().
         KeyboardInterrupt: Ctrl-C.
     """
@@ -414,7 +414,7 @@ def interpolate(
         subdivide: k, 1 to 8: each face into 4^k.
         open: takes a polyhedron with boundary; its loops become smooth curves through their vertices.
         flow, boundary, continuity, mode, steps, sigma, solver: as in fill().
-        progress: called as progress(step, energy) after each accepted step; what it raises stops the work.
+        progress: called as progress(step, energy) after each accepted step; an exception that it raises stops the work.
 
     Raises:
         InvalidArgument: a polyhedron that is open, no manifold, or flat; arrays or options out of range.
@@ -452,10 +452,10 @@ def evolve(
         mesh, faces: as in fill().
         region: vertex numbers, or (n,) bool, True in the region.
         flow, boundary, continuity, mode, steps, sigma, solver: as in fill(); "none" is no flow here.
-        progress: called as progress(step, energy) after each accepted step; what it raises stops the work.
+        progress: called as progress(step, energy) after each accepted step; an exception that it raises stops the work.
 
     Raises:
-        InvalidArgument: no vertex that could move, a whole piece of the surface, arrays or options out of range.
+        InvalidArgument: no vertex that could move, a whole component of the surface, arrays or options out of range.
         KeyboardInterrupt: Ctrl-C.
     """
     if region is None:

@@ -57,7 +57,7 @@ class Mesh:
 class BoundaryLoop:
     """A closed chain of edges that have a face on one side only.
 
-    number: from 1, by falling perimeter; `fill(loops=...)` takes it.
+    number: from 1, by decreasing perimeter; `fill(loops=...)` takes it.
     kind: "hole", "outer rim", "crack" or "cut".
     edges: how many.
     perimeter, diameter: length; the diameter is the largest distance of two vertices.
@@ -87,7 +87,7 @@ class Check:
 
     ready_to_print: whether nothing stands against it.
     against_it: what does, one phrase each, such as "2 open boundaries".
-    pieces: parts of the surface that share no vertex.
+    pieces: number of components; components share no vertex.
     open_boundaries, open_edges: loops of open edges, two that touch are two; edges of one face.
     touching_edges: of more than two faces, in pairs that agree: where a body touches another, or itself. They may stay.
     non_manifold_edges: of more than two faces that are not in such pairs.
@@ -128,7 +128,12 @@ class Seam:
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that a person should know of a patch: a code, its arguments, and the sentence."""
+    """One thing that a person should know of a patch.
+
+    code: for scripts; one word that stays the same where the wording changes.
+    arguments: its figures; lengths in diameters of the loop, angles in degrees.
+    text: the sentence.
+    """
 
     code: str
     arguments: List[float]
@@ -158,8 +163,11 @@ class Verdict:
 
 @dataclass(frozen=True)
 class ExpectedDeviation:
-    """Rms distance of a patch from the surface that was there, mesh units: bounds that held for 50, 80 and 90 % of the holes
-    of the calibration.
+    """Bounds of the rms distance of a patch from the surface that was there, in mesh units.
+
+    half: held for 50 % of the holes of the calibration.
+    likely: held for 80 %.
+    most: held for 90 %.
     """
 
     half: float

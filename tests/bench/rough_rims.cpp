@@ -248,7 +248,7 @@ int run(const Arguments& arguments) {
 
 int main(int argc, char** argv) try {
   Arguments arguments;
-  CLI::App app("Pieces cut out of real scans: how close do fillings come to what was there?", "loopmend_rough_rims");
+  CLI::App app("Regions cut out of real scans: how close do fillings come to what was there?", "loopmend_rough_rims");
   app.add_option("--count", arguments.count, "Problems (48)");
   app.add_option("--first", arguments.first, "Number of the first (0)");
   app.add_option("--seed", arguments.seed, "Seed of all cuts (1)");

@@ -96,7 +96,7 @@ void SpeedReporter::write(const std::filesystem::path& path, const std::string& 
     if (std::find(of_the_paper.begin(), of_the_paper.end(), free) == of_the_paper.end()) table.add(row(free));
   write_text(path, unit +
                        ". form: fits, operators and the matrix; factor: symbolic and numeric Cholesky; step: one whole "
-                       "Gauss-Newton step with checks and care for the mesh; flow step: one semi-implicit step of the "
+                       "Gauss-Newton step with checks and mesh improvement; flow step: one semi-implicit step of the "
                        "paper, the first; of ten: the "
                        "mean of the first ten; "
                        "steady: to the steady state from a bump; fill: one call on the open surface.\n\n" +

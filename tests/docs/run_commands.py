@@ -4,9 +4,11 @@
 
 Usage: run_commands.py BIN_FOLDER PAGE...
 
-Each line of a block marked `sh` is run by bash, page by page, in a folder of its own that holds the files which the page names
-in a comment such as `<!-- needs: scan.ply left.ply -->`. A line that ends in `# exits with N` must exit with N, any other with
-0. Blocks marked `console` are for a reader's machine (installing, opening a window) and are not run.
+Each line of a block marked `sh` is run by bash, page by page, in a folder of its own that holds the files which the
+page names in a comment such as `<!-- needs: scan.ply left.ply -->`. A line that ends in `# exits with N` must exit with N,
+any other with 0. A block marked `text` right after it shows lines of what the commands printed, in their order: `…` alone
+stands for any lines, at the end of a line for its rest. Times may differ, and numbers with a fraction a little. Blocks
+marked `console` are for a reader's machine (installing, opening a window) and are not run.
 """
 import math
 import os
@@ -98,6 +100,41 @@ def make_file(name, folder, run):
     (folder / "made.off").unlink()
 
 
+def same_word(shown, printed):
+    """Numbers with a fraction may differ by a hundredth, or one in the last digit: processors round differently."""
+    try:
+        a, b = float(shown), float(printed)
+    except ValueError:
+        return shown == printed
+    digits = re.fullmatch(r"-?\d+\.(\d+)", shown)
+    last_digit = 1.01 * 10.0**-len(digits[1]) if digits else 0
+    return shown == printed or ("." in shown and abs(a - b) <= max(1e-6, 0.01 * abs(a), last_digit))
+
+
+def same_line(shown, printed):
+    """Whether a line of a block marked `text` is one that was printed; spaces do not count, and any time will do."""
+    words, others = ([word.rstrip(",;") for word in re.sub(r"\b[\d.]+ s\b", "TIME", line).split()]
+                     for line in (shown, printed))
+    if shown.endswith("…"):
+        words = re.sub(r"…$", "", " ".join(words)).split()
+        others = others[:len(words)]
+    return len(words) == len(others) and all(map(same_word, words, others))
+
+
+def missing_line(text, printed):
+    """The first line of a block marked `text` that was not printed after the lines before it; None if all were."""
+    rest = printed.splitlines()
+    for line in text.splitlines():
+        if line.strip() in ("", "…"):
+            continue
+        while rest and not same_line(line, rest[0]):
+            rest.pop(0)
+        if not rest:
+            return line
+        rest.pop(0)
+    return None
+
+
 def main():
     programs, pages = Path(sys.argv[1]).resolve(), [Path(p).resolve() for p in sys.argv[2:]]
     environment = dict(os.environ, PATH=f"{programs}:{os.environ['PATH']}", QT_QPA_PLATFORM="offscreen")
@@ -108,24 +145,30 @@ def main():
             folder = Path(name)
 
             def run(line):
-                return subprocess.run(["bash", "-c", line], cwd=folder, env=environment, capture_output=True, text=True,
-                                      timeout=120, stdin=subprocess.DEVNULL)
+                return subprocess.run(["bash", "-c", line], cwd=folder, env=environment, stdout=subprocess.PIPE,
+                                      stderr=subprocess.STDOUT, text=True, timeout=120, stdin=subprocess.DEVNULL)
 
             for needs in re.findall(r"<!-- needs: ([^>]*) -->", text):
                 for needed in needs.split():
                     make_file(needed, folder, run)
                     if not (folder / needed).exists():
                         raise SystemExit(f"{page.name}: {needed} could not be made")
-            for block in re.findall(r"^```sh\n(.*?)^```", text, re.M | re.S):
+            for block, shown in re.findall(r"^```sh\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", text, re.M | re.S):
+                printed = ""
                 for line in re.sub(r"\\\n\s*", " ", block).splitlines():
                     if not line.strip() or line.lstrip().startswith("#"):
                         continue
                     said = re.search(r"# exits with (\d+)\s*$", line)
                     wanted, result = int(said.group(1)) if said else 0, run(line)
                     ran += 1
+                    printed += result.stdout
                     if result.returncode != wanted:
                         wrong += 1
-                        print(f"{page.name}: exit code {result.returncode}, not {wanted}: {line}\n{result.stdout}{result.stderr}")
+                        print(f"{page.name}: exit code {result.returncode}, not {wanted}: {line}\n{result.stdout}")
+                line = missing_line(shown, printed)
+                if line is not None:
+                    wrong += 1
+                    print(f"{page.name}: not printed: {line}\nThe commands printed:\n{printed}")
     print(f"{ran} commands of {len(pages)} pages, {wrong} wrong")
     return 1 if wrong or not ran else 0
 

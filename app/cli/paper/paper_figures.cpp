@@ -55,7 +55,7 @@ TableRow row_of(const PatchResult& evolved) {
   return row;
 }
 
-/// Figures that every run tells.
+/// Figures that every run has.
 void describe(const PatchResult& evolved, FigureRun& run) {
   run.ours = row_of(evolved);
   run.sigma = evolved.history.empty() ? 0 : largest_step(evolved).sigma;
