@@ -224,7 +224,7 @@ void CandidatesTest::what_is_taken_has_the_bits_of_the_command_that_is_copied_da
              cut(test::make_cube(16), [](const Vec3& p) { return (p - Vec3(1, 1, 0.5)).norm() < 0.2; }));
   row("edges rounded", edge, CandidateKind::rounded, "--edges round");
   const QString bumps = folder_.filePath(QStringLiteral("bumps.ply"));
-  write_mesh(bumps.toStdString(), test::BumpyEllipsoid().open_mesh(5));
+  write_mesh(bumps.toStdString(), test::BumpyEllipsoid().open_mesh(4));
   row("mirror image", bumps, CandidateKind::mirror, "--mirror");
 }
 

@@ -203,7 +203,7 @@ void SameBitsTest::window_and_command_line_give_the_same_bits_data() {
     if (at_length() || name[0] == 'h')
       QTest::newRow(name) << QStringLiteral(LOOPMEND_SHARED_DIR "/data/") + QLatin1String(name) << QStringList()
                         << (name[0] != 'b');
-  QTest::newRow("relief") << sample_file(folder_)
+  QTest::newRow("relief") << write_noisy_sphere(folder_.filePath(QStringLiteral("relief.ply")))
                           << QStringList{QStringLiteral("--relief"), QStringLiteral("continued")} << false;
   const QString edge = folder_.filePath(QStringLiteral("edge.ply"));
   write_mesh(edge.toStdString(),
