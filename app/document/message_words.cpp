@@ -40,10 +40,12 @@ const Substitute substitutes[] = {
     {"its edges are too short for its size: left open; a smaller density needs less memory",
      QT_TRANSLATE_NOOP("Message",
                        "its edges are too short for its size: left open; a smaller Density needs less memory")},
-    {"about %1 new vertices would take %2 MB of memory, and %3 MB are allowed: left open; a smaller density needs less",
-     QT_TRANSLATE_NOOP("Message",
-                       "about %1 new vertices would take %2 MB of memory, and %3 MB are allowed: left open; a smaller "
-                       "Density needs less")},
+    {"about %1 new vertices would take %2 MB of memory, and %3 MB are free for it: left open; a smaller density needs "
+     "less",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "about %1 new vertices would take %2 MB of memory, and %3 MB are free for it: left open; a smaller "
+         "Density needs less")},
     {"not enough memory for this hole: left open; a smaller density needs less",
      QT_TRANSLATE_NOOP("Message", "not enough memory for this hole: left open; a smaller Density needs less")},
     {"removing loose fragments in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the "

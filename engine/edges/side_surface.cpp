@@ -148,7 +148,7 @@ void SideSurface::try_quadric(const Points& local, const Points& between, double
   const Eigen::MatrixXd centred = A.rowwise() - mean;
   N.diagonal().array() += 1e-12 * N.trace();
   Eigen::Matrix<double, 9, 9> M = centred.transpose() * centred;
-  Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> solver(M, N);
+  Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(M, N);
   if (solver.info() == Eigen::Success && !between.empty() && solver.eigenvalues()[1] < n * left_open * left_open) {
     for (const Vec3& q : between) {
       const Eigen::Matrix<double, 9, 1> row = weight_between * (quadric_monomials(q).tail<9>() - mean.transpose());
@@ -237,7 +237,7 @@ Vec3 common_point(std::span<const SideSurface* const> surfaces, const Vec3& p, d
       normals.row(k) = normal.transpose();
       away[k] = normal.dot(foot - x);
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixX3d> solver;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(parallel);
     solver.compute(normals);
     x += solver.solve(away);

@@ -305,6 +305,30 @@ TrimmedModel trimmed(const SurfaceModel& model, const std::vector<BoundaryLoop>&
   return trimming.take_result();
 }
 
+/// Soup points of loops and removed triangles that hang together, by common points, with one of these.
+std::set<int> points_around(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                            const std::vector<BadBoundaryFace>& removed, std::set<int> points) {
+  std::vector<std::set<int>> parts;
+  for (const BoundaryLoop& loop : loops) parts.push_back(soup_vertices(model, {loop}));
+  for (const BadBoundaryFace& face : removed) {
+    const Triangle& t = model.soup.triangles[face.face];
+    parts.emplace_back(t.begin(), t.end());
+  }
+  const auto touches = [&](const std::set<int>& part) {
+    return std::any_of(part.begin(), part.end(), [&](int v) { return points.contains(v); });
+  };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (std::set<int>& part : parts) {
+      if (!touches(part)) continue;
+      points.merge(part);
+      part.clear();
+      grows = true;
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 std::vector<BadBoundaryFace> few_of_their_pieces(const SurfaceModel& model, const std::vector<BadBoundaryFace>& bad) {
@@ -332,13 +356,27 @@ TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<Boundary
 }
 
 TrimmedModel trim_pierced(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  Trimming trimming(model, loops);
-  for (int round = 1; round <= rounds_for_crossings; ++round) {
-    const std::vector<BadBoundaryFace> bad = pierced_faces(trimming.model(), trimming.loops());
-    if (bad.empty()) break;
-    trimming.remove(bad, round);
+  std::set<int> spared;  // soup points of boundaries where removing ends nothing
+  for (;;) {
+    Trimming trimming(model, loops);
+    std::vector<BadBoundaryFace> bad;
+    for (int round = 1;; ++round) {
+      bad = pierced_faces(trimming.model(), trimming.loops());
+      std::erase_if(bad, [&](const BadBoundaryFace& face) {
+        const Triangle& t = trimming.model().soup.triangles[face.face];
+        return std::any_of(t.begin(), t.end(), [&](int v) { return spared.contains(v); });
+      });
+      if (bad.empty() || round > rounds_for_crossings) break;
+      trimming.remove(bad, round);
+    }
+    const TriangleSoup& left = trimming.model().soup;
+    std::set<int> in_vain;
+    for (const BadBoundaryFace& face : bad)
+      in_vain.insert(left.triangles[face.face].begin(), left.triangles[face.face].end());
+    TrimmedModel result = trimming.take_result();
+    if (bad.empty()) return result;
+    spared.merge(points_around(model, loops, result.removed, in_vain));
   }
-  return trimming.take_result();
 }
 
 }  // namespace loopmend

@@ -51,7 +51,8 @@ std::vector<BadBoundaryFace> few_of_their_pieces(const SurfaceModel& model, cons
 TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds);
 
 /// Takes only the triangles away whose edge on a loop runs through the surface, so that no patch could be valid there, and those
-/// of which the same is true then, up to ten times. @throws InvalidArgument if nothing would be left.
+/// of which the same is true then, up to ten times. A boundary whose edges run through the surface even so is left as it is.
+/// @throws InvalidArgument if nothing would be left.
 TrimmedModel trim_pierced(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
 }  // namespace loopmend

@@ -86,7 +86,8 @@ Message memory_message(double vertices, double needed_mb, double most_memory_mb)
   if (!(vertices < 1e9))
     return say("its edges are too short for its size: left open; a smaller density needs less memory")
         .with_code("no_memory");
-  return say("about %1 new vertices would take %2 MB of memory, and %3 MB are allowed: left open; a smaller density "
+  return say("about %1 new vertices would take %2 MB of memory, and %3 MB are free for it: left open; a smaller "
+             "density "
              "needs less",
              std::llround(vertices), std::llround(std::ceil(needed_mb)),
              std::llround(std::max(0.0, std::floor(most_memory_mb))))

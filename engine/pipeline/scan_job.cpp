@@ -331,6 +331,10 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
     const auto done = filled.find(plan.loops[k].number);
     results.push_back(done != filled.end() ? std::move(done->second)
                                            : open_hole(plan.loops[k], PatchStatus::skipped, choice.why_not));
+    if (job.prepare.trim_pierced == PrepareOptions::TrimPierced::yes && results[k].message.code == "boundary_crosses")
+      results[k].message = say("boundary edges intersect the surface, and removing what crosses does not end that: "
+                               "left open as it was")
+                               .with_code("boundary_crosses");
     const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
     const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.coincident) : 0;
     if (closing > 0)

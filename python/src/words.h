@@ -10,6 +10,7 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 
 namespace loopmend {
 
@@ -20,7 +21,9 @@ T option(const pybind11::dict& options, const char* name) {
   try {
     return options[name].cast<T>();
   } catch (const py::cast_error&) {
-    throw py::type_error(std::string(name) + " does not take " + py::repr(options[name]).cast<std::string>());
+    const auto given = py::repr(options[name]).cast<std::string>();
+    throw py::type_error(std::string(name) +
+                         (std::is_same_v<T, bool> ? " takes True or False, not " : " does not take ") + given);
   }
 }
 

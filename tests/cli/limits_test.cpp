@@ -114,7 +114,7 @@ TEST_F(Bounds, LoopsThatNeedTooMuchMemoryAreLeftAndSaid) {
   const test::Outcome none =
       test::loopmend_program("fill " + path("scan.ply") + "-o " + path("out.ply") + "--max-memory 1");
   EXPECT_EQ(none.code, 1) << none.err;
-  EXPECT_THAT(none.out, HasSubstr("MB are allowed: left open"));
+  EXPECT_THAT(none.out, HasSubstr("MB are free for it: left open"));
   EXPECT_EQ(text_of(work / "out.ply"), text_of(work / "scan.ply"));
   for (const char* wrong : {"--max-memory 0", "--max-memory nan", "--max-time 0", "--max-time -1"})
     EXPECT_EQ(test::loopmend_program("fill " + path("scan.ply") + "-o " + path("out.ply") + wrong).code, 2) << wrong;

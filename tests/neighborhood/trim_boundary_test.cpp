@@ -174,6 +174,32 @@ TEST(TrimBoundary, TakesOnlyWhatRunsThroughTheSurface) {
   EXPECT_TRUE(trim_pierced(model, {}).removed.empty());
 }
 
+/// A wall through a sheet and its hole, too long for ten rounds.
+TEST(TrimBoundary, LeavesABoundaryThatCrossesWhateverIsRemoved) {
+  TriangleSoup soup = pierced_grid();
+  const int pierced = static_cast<int>(soup.triangles.size()) - 1;
+  const int first = static_cast<int>(soup.points.size());
+  constexpr int rows = 40, columns = 12;
+  const auto at = [=](int row, int column) { return first + row * (columns + 1) + column; };
+  for (int row = 0; row <= rows; ++row)
+    for (int column = 0; column <= columns; ++column) soup.points.emplace_back(20 + 0.5 * row, 0.5 * column, 0);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      if (column >= 4 && column < 8 && row >= 16 && row < 24) continue;
+      add(soup, {at(row, column), at(row + 1, column), at(row + 1, column + 1)});
+      add(soup, {at(row, column), at(row + 1, column + 1), at(row, column + 1)});
+    }
+  const int wall = static_cast<int>(soup.points.size());
+  for (const Vec3& p : {Vec3(21, 3.1, -3), Vec3(39, 3.1, -3), Vec3(39, 3.1, 3), Vec3(21, 3.1, 3)})
+    soup.points.push_back(p);
+  add(soup, {wall, wall + 1, wall + 2});
+  add(soup, {wall, wall + 2, wall + 3});
+  const SurfaceModel model = make_surface_model(soup);
+  const TrimmedModel trimmed = trim_pierced(model, holes_of(model));
+  ASSERT_EQ(trimmed.removed.size(), 1U);
+  EXPECT_EQ(trimmed.removed[0].face, pierced);
+}
+
 TEST(TrimBoundary, TakesTheFragmentsThatItCutsOff) {
   TriangleSoup soup = pierced_grid();
   // Two triangles beyond the one that crosses, and a fragment of two that nothing is cut from.
