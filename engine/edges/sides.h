@@ -33,7 +33,8 @@ struct SideEdits {
   std::vector<std::pair<int, int>> joined;  ///< loop edges whose sides are one
 };
 
-/// Faces within six rings and `reach` diameters of the loop are grouped across edges below max(25°, 4 medians) of bend; small groups join the most similar
+/// Faces within six rings and `reach` diameters of the loop are grouped across edges below max(25°, 4 medians) of bend, under
+/// noise of filtered normals; small groups join the most similar
 /// neighbor. Sides that continue one another are one.
 /// @param loop  which of patch.loops
 /// @returns nothing where no edge is sharp or drawn, or where the sides do not say how they go on.

@@ -13,12 +13,14 @@ namespace loopmend {
 
 namespace {
 
-/// ln(rms / D) = the product of these and the regressors, and quantiles of the residuals: least squares over 491 holes of the 18
+/// ln(rms / D) = the product of these and the regressors, and quantiles of the residuals: least squares over 473 holes of the 17
 /// models of the tuning half of loopmend_cut_models, by loopmend_error_bar (docs/benchmarks/accuracy.md, "Error bar").
-constexpr std::array coefficients{-5.485, 0.131, 0.816, 0.543, 0.367};
-constexpr double half_quantile = 0.004, likely_quantile = 0.482, most_quantile = 0.699;
+constexpr std::array coefficients{-5.119, 0.235, 0.734, 0.571, 0.345};
+constexpr double half_quantile = 0.017, likely_quantile = 0.490, most_quantile = 0.757;
 constexpr double least_difference = 1e-5;  ///< in loop diameters: below it, differences are of the fairing
-constexpr double least_area = 1e-4, least_seam_deg = 0.01;
+constexpr double least_area = 1e-4;
+/// Below it, bends at the seam are of the triangles, and vanish on a finer mesh.
+constexpr double least_seam_deg = 2;
 /// Of a vertex, its deviation grows with this power of its own difference (docs/math/filling.md, "Validity checks").
 constexpr double power_at_vertex = 0.4;
 
@@ -30,9 +32,9 @@ double usual_deviation(const DeviationSigns& signs) {
 }  // namespace
 
 std::array<double, 5> regressors(const DeviationSigns& signs) {
-  return {1, std::log(std::fmax(signs.second_order, least_difference)), std::log(std::fmax(signs.area, least_area)),
-          std::log(std::fmax(signs.seam_deg, least_seam_deg)),
-          std::log(std::fmax(signs.initial_seam_deg, least_seam_deg))};
+  return {1, std::log(std::max(signs.second_order, least_difference)), std::log(std::max(signs.area, least_area)),
+          std::log(std::max(signs.seam_deg, least_seam_deg)),
+          std::log(std::max(signs.initial_seam_deg, least_seam_deg))};
 }
 
 ExpectedDeviation expected_deviation(const DeviationSigns& signs) {
@@ -68,7 +70,8 @@ DeviationEstimate expected_deviation(const Patch& patch, const std::vector<SeamR
   }
   for (std::size_t l = 0; l < loops; ++l) {
     ExpectedDeviation& bounds = estimate.loops.emplace_back();
-    if (!(area[l] > 0)) continue;
+    const bool is_measured = seams[l].g1_rms_deg >= 0 && initial_seams[l].g1_rms_deg >= 0;  // NaN: at no vertex
+    if (!(area[l] > 0) || !is_measured) continue;
     bounds = expected_deviation(
         {std::sqrt(squares[l] / area[l]), whole_area[l], seams[l].g1_rms_deg, initial_seams[l].g1_rms_deg});
     for (double* bound : {&bounds.half, &bounds.likely, &bounds.most}) *bound *= diameter[l] * patch.scale;

@@ -22,8 +22,8 @@ struct DeviationSigns {
 };
 
 /// Rms distance of the new vertices that one loop bounds, weighted by area, from the surface that was there, mesh units: bounds
-/// that held for 50, 80 and 90 % of the holes of the calibration. NaN without an estimate: no free vertices, or another treatment of the
-/// boundary than the default.
+/// that held for 50, 80 and 90 % of the holes of the calibration. NaN without an estimate: no free vertices, another
+/// treatment of the boundary than the default, or a seam that is too short to be measured.
 struct ExpectedDeviation {
   double half = std::numeric_limits<double>::quiet_NaN();
   double likely = std::numeric_limits<double>::quiet_NaN();

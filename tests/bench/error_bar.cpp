@@ -46,7 +46,7 @@ std::vector<Hole> read_holes(const std::string& path) {
       const std::size_t k = column.at(name);
       return k < cells.size() ? std::strtod(cells[k].c_str(), nullptr) : 0;
     };
-    if (cells[column.at("method")] != "auto" || !(number("second_order") > 0)) continue;
+    if (cells[column.at("method")] != "auto" || !(number("seam_deg") > 0)) continue;
     holes.push_back({cells[column.at("model")],
                      number("d_vertices") / 1000,
                      {number("second_order"), number("area"), number("seam_deg"), number("initial_seam_deg")}});
