@@ -18,7 +18,8 @@ namespace {
 constexpr double sharp_medians = 4;
 /// Median bend from which noise alone may bend single edges as a sharp one.
 constexpr double noisy_deg = 4;
-/// Of the median bend the filter leaves 0.03 to 0.07 where it is noise (cubes, cylinders, noise of 12 to 25 % of an edge).
+/// Of the median bend the filter leaves 0.03 to 0.07 where it is noise: on cubes and cylinders with standard deviations of 12 to
+/// 25 % of an edge.
 constexpr double most_filtered = 0.2;
 constexpr double flat_deg =
     0.1;  ///< an edge that bends by less is a diagonal of a plane facet, and lies off a curved surface
