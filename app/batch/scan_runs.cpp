@@ -181,7 +181,7 @@ class ScanRuns {
     const fs::path picture = files(k).picture;
     if (!wanted || state_of(picture)) return false;
     std::error_code error;
-    fs::create_directories(picture.parent_path(), error);  // render reports what is wrong
+    fs::create_directories(picture.parent_path(), error);  // a failure shows when the picture is written
     running_.emplace_back(k, true, std::nullopt, job_.program,
                           std::vector<std::string>{"render", as_argument(scans_[k].input), as_argument(files(k).mesh),
                                                    "-o", as_argument(picture), "--size", "1200x600"});

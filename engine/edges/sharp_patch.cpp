@@ -282,7 +282,7 @@ struct Tolerance {
   double rms = most_misfit, anywhere = most_misfit_anywhere;
 };
 
-/// The vertices of a noisy loop are as far off as those around it.
+/// Under noise the loop is as far from the surfaces as the other vertices of the sides are.
 Tolerance with_noise(Tolerance tolerance, const Sides& sides, double diameter) {
   if (sides.are_noisy) {
     tolerance.rms = std::max(tolerance.rms, std::min(2 * sides.rms / diameter, most_noisy_misfit));

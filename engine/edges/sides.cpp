@@ -99,8 +99,8 @@ void join_small_groups(const Patch& patch, const std::vector<Bend>& edges, FaceG
   }
 }
 
-/// Normals without noise: each is the mean of itself and its neighbors, of which those that lean more than 60° away count for
-/// nothing (Sun, Rosin, Martin, Langbein 2007), repeatedly.
+/// Normals without noise. Each becomes the weighted mean of itself and of the normals across its edges, 20 times; normals that
+/// differ by more than 60° have no weight (Sun, Rosin, Martin, Langbein 2007).
 std::vector<Vec3> filtered_normals(const FaceGroups& groups, const std::vector<Bend>& edges) {
   constexpr int rounds = 20;
   constexpr double least_cosine = 0.5;

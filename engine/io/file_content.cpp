@@ -57,7 +57,7 @@ bool looks_like_utf16(std::string_view bytes) {
   return low_first || high_first;
 }
 
-/// Refuses what is certainly no mesh, with a message that helps.
+/// @throws Error for content that is certainly no mesh; the message names the remedy.
 void refuse_known_strangers(const FileContent& file) {
   using namespace std::string_view_literals;
   const std::string_view bytes = file.bytes;

@@ -62,7 +62,7 @@ TEST(ExpectedDeviation, OfASmoothSurfaceHardlyDependsOnTheMesh) {
   EXPECT_GT(likely(5), 0.6 * likely(4));
 }
 
-/// Noise around a hole is no larger a difference of the fairings; it shows at the seam.
+/// Noise hardly changes the difference of the two fairings; it shows in the bends at the seam.
 TEST(ExpectedDeviation, IsLargerUnderNoise) {
   const TriangleSoup smooth = open_sphere(1);
   TriangleSoup noisy = smooth;

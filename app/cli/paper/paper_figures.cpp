@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -258,9 +259,9 @@ FigureRun run_fig54() {
   return run;
 }
 
-/// By wide fits, which look past the triangles that a flow of fourth order hides its jump in, and by close ones.
 double close_jump(const ComparedFlow& flow) { return seam_figures(flow.outcome.seams).jump; }
 
+/// By wide fits, which see a jump that a flow of fourth order hides within one row of triangles, and by close ones.
 std::string jumps_text(const ComparedFlow& flow) {
   return number_text("%.3f", flow.wide_jump) + number_text(" (close fits %.3f)", close_jump(flow));
 }
@@ -280,7 +281,7 @@ std::string flows_of_least_jump(const FlowComparison& comparison) {
           return jump(a) < jump(b);
         })->outcome.flow);
   };
-  const std::string wide = least([](const ComparedFlow&flow) { return flow.wide_jump; }), close = least(close_jump);
+  const std::string wide = least(std::mem_fn(&ComparedFlow::wide_jump)), close = least(close_jump);
   return wide == close ? wide : wide + " by wide and " + close + " by close fits";
 }
 
