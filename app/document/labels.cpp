@@ -262,6 +262,7 @@ QString notice(const Notice& notice) {
       return tr("a crease of %1\u00b0 along %2 edges of the seam, where the initial patch had %3\u00b0")
           .arg(whole(0), whole(1), whole(2));
     case NoticeCode::dome_over_flat_loop: return tr("a dome %1 diameters high over a flat loop").arg(digits(0));
+    case NoticeCode::flat_or_dome: return tr("closed flat, where the surface bends as if it went on as a dome");
     case NoticeCode::bubble:
       return tr("a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it")
           .arg(digits(0), digits(1));

@@ -31,6 +31,7 @@ const char* to_string(NoticeCode code) {
     case NoticeCode::folded_edges: return "folded_edges";
     case NoticeCode::torn_seam: return "torn_seam";
     case NoticeCode::dome_over_flat_loop: return "dome_over_flat_loop";
+    case NoticeCode::flat_or_dome: return "flat_or_dome";
     case NoticeCode::bubble: return "bubble";
     case NoticeCode::curvature_torn: return "curvature_torn";
     case NoticeCode::initial_patch_kept: return "initial_patch_kept";
@@ -69,6 +70,7 @@ Message sentence(const Notice& notice) {
       return say("a crease of %1° along %2 edges of the seam, where the initial patch had %3°", whole,
                  rounded(number(1)), rounded(number(2)));
     case NoticeCode::dome_over_flat_loop: return say("a dome %1 diameters high over a flat loop", digits);
+    case NoticeCode::flat_or_dome: return say("closed flat, where the surface bends as if it went on as a dome");
     case NoticeCode::bubble:
       return number(1) > 0.05
                  ? say("a bubble of %1 times the area of the initial patch, reaching %2 diameters beyond it", digits,

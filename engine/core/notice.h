@@ -17,6 +17,7 @@ enum class NoticeCode {
   folded_edges,         ///< number of edges
   torn_seam,            ///< bend of the seam edges, number of these, their bend before
   dome_over_flat_loop,  ///< height
+  flat_or_dome,         ///< none
   bubble,               ///< area in areas of the initial patch, reach beyond it
   curvature_torn,       ///< jump of H × diameter, the same before
   initial_patch_kept,   ///< none

@@ -219,6 +219,14 @@ Vec3 SideSurface::normal_at(const Vec3& on_surface) const {
   return axes_ * normal.normalized();
 }
 
+bool SideSurface::changes_sides(const Vec3& p, const Vec3& q) const {
+  const auto side = [&](const Vec3& x) {
+    const Vec3 l = local(x);
+    return kind_ == Kind::quadric ? c_.dot(quadric_monomials(l)) : l.z() - c_.dot(height_monomials(l.x(), l.y()));
+  };
+  return side(p) * side(q) < 0;
+}
+
 double distance(std::span<const SideSurface* const> surfaces, const Vec3& p) {
   double largest = 0;
   for (const SideSurface* surface : surfaces) largest = std::max(largest, (surface->foot(p) - p).norm());

@@ -30,6 +30,8 @@ class SideSurface {
   /// A point of the surface near p: the foot of the perpendicular on a height field; on a quadric where descent along its gradient
   /// ends.
   Vec3 foot(const Vec3& p) const;
+  /// Whether these points lie on different sides of it.
+  bool changes_sides(const Vec3& p, const Vec3& q) const;
   /// In the side's own axes: x and y along its plane, z across.
   Vec3 in_plane(const Vec3& p) const { return local(p); }
   /// Unit normal at a point of the surface.
@@ -43,7 +45,6 @@ class SideSurface {
   Vec3 foot_on_quadric(const Vec3& q) const;
   void try_height_field(const Points& local, const Points& between, Kind kind, double& best);
   void try_quadric(const Points& local, const Points& between, double& best);
-  double distance(Kind kind, const Coefficients& c, const Vec3& q) const;
 
   Vec3 origin_ = Vec3::Zero();
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  ///< columns; the third is the normal

@@ -47,6 +47,9 @@ constexpr double long_edge = 0.8;
 /// of their radius, it is off by 0 to 0.0025 diameters, of eleven standing figures and wavy bases that bend like a ball at their
 /// base alone by 0.006 to 0.046.
 constexpr double reach_of_quadric = 1.5, off_quadric = 0.005, noises_off_quadric = 1.5;
+/// In diameters: a surface so near to a quadric goes on with it where that closes so far over the loop. Chosen on ellipsoids and eggs
+/// (0 to 0.0005; 0.14 to 0.39) and a barrel (0.53), which ends.
+constexpr double on_quadric = 0.001, lowest_dome = 0.1, highest_dome = 0.45;
 constexpr std::size_t most_fits = 200;
 
 double reach_of(const BoundaryLoop& loop, const LoopFacing& facing) {
@@ -164,9 +167,8 @@ class Profiles {
     wall.add(centers, normals);
   }
 
-  /// Whether one quadric, as a ball or an ellipsoid, goes through the surface near the loop, up to a radius behind its plane.
-  /// @param noise  of the vertices, rms, mesh units
-  bool is_quadric(double noise) const {
+  /// One quadric, as a ball or an ellipsoid, through the surface near the loop, up to a radius behind its plane.
+  std::optional<SideSurface> quadric() const {
     constexpr std::size_t places = 8;  // along the loop
     std::set<int> near;
     for (std::size_t k = 0; k < places; ++k) {
@@ -180,9 +182,18 @@ class Profiles {
       const Vec3& p = mesh_.point(TriMesh::VertexHandle(v));
       if (std::abs(axis_.dot(p - facing_.center)) <= facing_.radius) points.push_back(p);
     }
+    return SideSurface::fit(points, axis_, 2 * facing_.radius);
+  }
+
+  /// @param noise  of the vertices, rms, mesh units
+  bool is_near(const SideSurface& surface, double noise) const {
+    return surface.rms() <= 2 * off_quadric * facing_.radius + noises_off_quadric * noise;
+  }
+  bool is_closed_by(const SideSurface& surface) const {
     const double diameter = 2 * facing_.radius;
-    const auto surface = SideSurface::fit(points, axis_, diameter);
-    return surface && surface->rms() <= off_quadric * diameter + noises_off_quadric * noise;
+    return surface.rms() <= on_quadric * diameter && surface.kind() == SideSurface::Kind::quadric &&
+           surface.changes_sides(facing_.center + lowest_dome * diameter * axis_,
+                                 facing_.center + highest_dome * diameter * axis_);
   }
 
  private:
@@ -340,11 +351,14 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   for (double& share : shares) share *= facing.radius / usual;
   if (loop.planarity <= exact_planarity && rounds_into_plane(usual, shares)) return LoopEnd::flat;
   if (usual < steep || quantile(wall.steepness, torn_share) < still_steep) return LoopEnd::runs_on;
-  if (is_dome(shares) && profiles.is_quadric(median(wall.noise))) return LoopEnd::runs_on;
+  const bool dome = is_dome(shares);
+  const std::optional<SideSurface> quadric = dome || !straight ? profiles.quadric() : std::nullopt;
+  if (quadric && (dome ? profiles.is_near(*quadric, median(wall.noise)) : profiles.is_closed_by(*quadric)))
+    return LoopEnd::runs_on;
   const bool is_hole_in_a_hill =
       loop.kind != LoopKind::outer_rim && loop.planarity > plane_cut && usual < steep_if_not_plane;
   if (is_hole_in_a_hill) return LoopEnd::runs_on;
-  if (flat) return LoopEnd::flat;
+  if (flat) return dome ? LoopEnd::flat_or_dome : LoopEnd::flat;
   return loop.kind == LoopKind::outer_rim ? LoopEnd::curved : LoopEnd::runs_on;
 }
 

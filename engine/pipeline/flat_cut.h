@@ -13,12 +13,14 @@ inline constexpr double flat_planarity = 0.0305;
 enum class LoopEnd {
   runs_on,  ///< it continues across the hole
   flat,     ///< it was cut: the wall leaves the loop's plane on one side all along; a plane cap is missing
-  curved,   ///< the same at an outer rim that is not plane: a minimal surface is missing
+  flat_or_dome,  ///< the same, but at the loop the wall bends like a dome's: a base that curves in, or an egg without its end
+  curved,        ///< flat at an outer rim that is not plane: a minimal surface is missing
 };
 
 /// `flat` where the loop is nearly plane (planarity up to 0.03), the surface meets its plane steeply on one side along
-/// nine tenths of the loop or more, and it does not bend towards closing there as a ball through the loop would, on one
-/// quadric that goes on behind. A wall that flares ends at a plane loop, however little it leans. At a hole whose loop
+/// nine tenths of the loop or more, and neither does it bend towards closing there as a ball through the loop would, on
+/// one quadric that goes on behind (if it bends so on no quadric, it is `flat_or_dome`), nor does it lie on a quadric,
+/// almost exactly, that closes over the loop. A wall that flares ends at a plane loop, however little it leans. At a hole whose loop
 /// is not quite plane the wall has to be steeper. An upright wall that does not turn ends whatever its corners; at a
 /// loop that is not nearly plane, of planarity up to 0.1, it is `curved`. So are the other walls of outer rims: of
 /// holes in natural surfaces, those with such loops mostly run on. The surface is read from fits behind the loop, so

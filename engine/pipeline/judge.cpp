@@ -336,6 +336,8 @@ void Judge::judge_height(std::size_t l, Verdict& verdict) const {
   if (l >= ends_.size()) return;
   if (ends_[l] == LoopEnd::flat && verdict.height > flat_height)
     add(verdict, Grade::bad, {NoticeCode::dome_over_flat_loop, {verdict.height}});
+  else if (ends_[l] == LoopEnd::flat_or_dome && verdict.height <= flat_height && creases_ == Creases::unwanted)
+    add(verdict, Grade::look, {NoticeCode::flat_or_dome, {}});
   else if (expected_creases_.empty())
     add_height(places_[l].ball_height, verdict);
 }

@@ -59,7 +59,7 @@ TEST(FlatCut, IsTheBaseOfAStandingFigure) {
   for (const int around : {64, 96})
     for (const int rows : {40, 80}) {
       const SurfaceModel figure = make_surface_model(make_revolution(foot, -2, 0, around, rows));
-      EXPECT_EQ(loop_end(figure, upper(figure)), LoopEnd::flat) << around << ' ' << rows;
+      EXPECT_EQ(loop_end(figure, upper(figure)), LoopEnd::flat_or_dome) << around << ' ' << rows;
       const SurfaceModel ball =
           make_surface_model(make_revolution([](double z) { return std::sqrt(1 - z * z); }, -0.9, 0, around, rows));
       EXPECT_EQ(loop_end(ball, upper(ball)), LoopEnd::runs_on) << around << ' ' << rows;
@@ -95,6 +95,35 @@ TEST(FlatCut, IsTheTopOfAnOpenBoxAndTheEndOfAFewRows) {
             make_surface_model(make_revolution([](double) { return 1.0; }, 0, height, around, rows));
         EXPECT_EQ(loop_end(tube, upper(tube)), LoopEnd::flat) << rows << ' ' << around << ' ' << height;
       }
+}
+
+/// Profiles of an ellipsoid bend by other shares of a ball's where it is cut aslant.
+TEST(FlatCut, IsNotWhatIsMissingOfAnEllipsoid) {
+  for (const Vec3& axes : {Vec3(1, 0.7, 0.45), Vec3(0.6, 0.6, 1), Vec3(0.8, 0.5, 0.9), Vec3(0.5, 0.9, 0.7)})
+    for (const double angle : {0.8, 1.0, 1.2})
+      for (const int level : {4, 5}) {
+        const Vec3 tip = Vec3(0.5, 0.3, 0.81).normalized();
+        TriangleSoup soup = cut(make_icosphere(level), [&](const Vec3& p) { return p.dot(tip) > std::cos(angle); });
+        for (Vec3& p : soup.points) p = p.cwiseProduct(axes);
+        const SurfaceModel ellipsoid = make_surface_model(soup);
+        const std::vector<BoundaryLoop> loops = find_boundary_loops(ellipsoid);
+        ASSERT_EQ(loops.size(), 1U);
+        EXPECT_EQ(loop_end(ellipsoid, loops[0]), LoopEnd::runs_on) << axes.transpose() << ' ' << angle << ' ' << level;
+      }
+}
+
+/// Nothing tells an egg without its end from a base that curves in: closed flat, and said so.
+TEST(FlatCut, IsDoubtfulWhereTheWallBendsLikeADomeOnNoQuadric) {
+  const Vec3 tip = Vec3(0.5, 0.3, 0.81).normalized();
+  TriangleSoup soup = cut(make_icosphere(5), [&](const Vec3& p) { return p.dot(tip) > std::cos(1.0); });
+  for (Vec3& p : soup.points) p = p.cwiseProduct(Vec3(0.7 + 0.15 * p.z(), 0.7 + 0.15 * p.z(), 1));
+  SurfaceModel egg = make_surface_model(soup);
+  const std::vector<HoleResult> results = fill_all_holes(egg);
+  ASSERT_EQ(results.size(), 1U);
+  const Verdict verdict = results[0].verdict();
+  EXPECT_EQ(verdict.grade, Grade::look);
+  ASSERT_FALSE(verdict.findings.empty());
+  EXPECT_EQ(verdict.findings[0].code, NoticeCode::flat_or_dome);
 }
 
 TEST(FlatCut, IsNotWhatIsMissingOfABallOrInAPlane) {
