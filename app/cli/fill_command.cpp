@@ -171,6 +171,14 @@ nlohmann::ordered_json faces_json(const std::vector<BadBoundaryFace>& faces) {
   return json;
 }
 
+/// Empty where every patch is good: it would not pay there.
+std::string trim_suggestion(const FillCommand& command, const ScanPlan& scan, const Outcome& outcome) {
+  if (scan.trimmable.empty() || command.job.prepare.trim_rounds > 0) return {};
+  if (outcome.look + outcome.bad + outcome.failed == 0) return {};
+  return counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
+         " at the boundaries; --trim-boundary 3 would remove what is bad.";
+}
+
 /// @param bad  triangles that are left at the boundaries of the loops that are filled
 nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ScanPlan& scan,
                                    const std::vector<BadBoundaryFace>& bad, const std::vector<HoleResult>& results) {
@@ -182,9 +190,6 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["prepared"] = preparation_json(scan.done);
   json["trimmed_faces"] = faces_json(scan.trimmed);
   json["bad_rim_faces"] = faces_json(bad);
-  if (!scan.trimmable.empty() && command.job.prepare.trim_rounds == 0)
-    json["suggestion"] = counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
-                         " at the boundaries; --trim-boundary 3 would remove what is bad.";
   json["loops"] = nlohmann::ordered_json::array();
   const std::size_t in_full = command.detail == Detail::all ? results.size() : most_loops_in_report;
   for (std::size_t k = 0; k < results.size(); ++k)
@@ -233,9 +238,6 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
   else if (!scan.trimmed.empty())
     std::fprintf(out, "%s removed at the boundaries.\n",
                  counted(scan.trimmed.size(), "bad triangle was", "bad triangles were").c_str());
-  else if (!scan.trimmable.empty())
-    std::fprintf(out, "%s at the boundaries; --trim-boundary 3 would remove what is bad.\n",
-                 counted(scan.trimmable.size(), "bad triangle", "bad triangles").c_str());
 }
 
 /// The first reason, where there is one.
@@ -290,6 +292,8 @@ int run_fill(const FillCommand& command) {
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   nlohmann::ordered_json json = fill_report(command, opened.report, scan, bad, results);
+  const std::string suggestion = trim_suggestion(command, scan, outcome);
+  if (!suggestion.empty()) json["suggestion"] = suggestion;
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
   json["output"] = losses_json(losses);
   json["output"]["content"] = command.content == FillCommand::Content::patches ? "patches" : "surface";
@@ -311,6 +315,7 @@ int run_fill(const FillCommand& command) {
                    path_text(command.output).c_str());
     else
       print_summary(out, results, outcome, command, seconds);
+    if (!suggestion.empty()) std::fprintf(out, "%s\n", suggestion.c_str());
     if (verdict) print_verdict(out, *verdict);
     print_losses(out, command.output, losses);
     print_beside(out, written);

@@ -71,13 +71,14 @@ TEST_F(BoundaryOptions, LowerContinuityLeavesWhatItDoesNotPromise) {
   EXPECT_LT(angle("curvature"), 0.1);
 }
 
-TEST_F(BoundaryOptions, TrimmingIsOffButSuggestedAndToldFaceByFace) {
+TEST_F(BoundaryOptions, TrimmingIsOffAndReportsFaceByFace) {
   const json left = fill(ragged, "");
   EXPECT_TRUE(left["trimmed_faces"].empty());
   ASSERT_EQ(left["bad_rim_faces"].size(), 1U);
   EXPECT_EQ(left["bad_rim_faces"][0]["face"], dangling_face);
   EXPECT_EQ(left["bad_rim_faces"][0]["fault"], "dangling");
-  EXPECT_THAT(left["suggestion"].get<std::string>(), testing::HasSubstr("--trim-boundary"));
+  EXPECT_EQ(left["loops"][0]["verdict"]["grade"], "good");
+  EXPECT_FALSE(left.contains("suggestion"));
 
   const json trimmed = fill(ragged, "--trim-boundary 2");
   ASSERT_EQ(trimmed["trimmed_faces"].size(), 1U);
@@ -89,9 +90,12 @@ TEST_F(BoundaryOptions, TrimmingIsOffButSuggestedAndToldFaceByFace) {
   for (std::size_t f = 0; f < before.triangles.size(); ++f) ASSERT_EQ(after.triangles[f], before.triangles[f]);
 }
 
-TEST_F(BoundaryOptions, EveryBadFaceOfARaggedBoundaryIsTold) {
+TEST_F(BoundaryOptions, EveryBadFaceOfARaggedBoundaryIsReportedAndTrimmingSuggested) {
   const test::RaggedBoundary boundary = test::ragged_boundary();
   write_mesh(ragged, boundary.ragged);
+  const json left = fill(ragged, "");
+  EXPECT_NE(left["loops"][0]["verdict"]["grade"], "good");
+  EXPECT_THAT(left["suggestion"].get<std::string>(), testing::HasSubstr("--trim-boundary"));
   const json report = fill(ragged, "--trim-boundary 3");
   std::map<int, std::pair<std::string, int>> told, expected;
   for (const json& face : report["trimmed_faces"]) told[face["face"]] = {face["fault"], face["ring"]};
