@@ -19,6 +19,8 @@ constexpr std::size_t most_places = 100;  ///< of an outline that are looked at
 constexpr double least_share = 0.2;       ///< of an outline that runs over another piece
 constexpr double looks_alike = 0.7;       ///< cosine of the angle between the normals
 constexpr double beside = 0.2;            ///< distance from a boundary edge, in edges
+/// In barycentric coordinates: a place over a vertex of a convex surface lies beside each of the triangles there.
+constexpr double edge_slack = 0.05;
 constexpr int fewest_edges_of_a_sheet = 8;
 
 /// A vertex of an outline.
@@ -47,7 +49,9 @@ bool lies_over(const Place& place, const Vec3& a, const Vec3& b, const Vec3& c) 
   const double area = n.norm();
   if (!(area > 0) || n.dot(place.normal) < looks_alike * area) return false;
   if (std::abs(n.dot(place.point - a)) > place.reach * area) return false;
-  const auto is_left_of = [&](const Vec3& p, const Vec3& q) { return (q - p).cross(place.point - p).dot(n) >= 0; };
+  const auto is_left_of = [&](const Vec3& p, const Vec3& q) {
+    return (q - p).cross(place.point - p).dot(n) >= -edge_slack * area * area;
+  };
   return is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a);
 }
 

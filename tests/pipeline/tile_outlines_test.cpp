@@ -26,6 +26,14 @@ TEST(TileOutlines, TilesThatLieOnEachOtherAreCounted) {
   EXPECT_EQ(of_two_tiles(0.8, 0), 2U);
 }
 
+/// Its vertices lie over those of the ball.
+TEST(TileOutlines, ACopyOfAPartOfABallIsCounted) {
+  TriangleSoup tile = cut(make_icosphere(4), [](const Vec3& p) { return p.z() < 0.8; });
+  for (Vec3& p : tile.points) p *= 1.004;
+  const SurfaceModel model = make_surface_model(joined({make_icosphere(4), tile}));
+  EXPECT_EQ(count_overlapping_outlines(model, find_boundary_loops(model)), 1U);
+}
+
 TEST(TileOutlines, TilesBesideOrFarAboveEachOtherAreNot) {
   EXPECT_EQ(of_two_tiles(2, 0), 0U);
   EXPECT_EQ(of_two_tiles(2.1, 0), 0U);
