@@ -133,7 +133,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       "Turn all faces round first, as those of a scan that is inside out");
   fill->add_option("--stitch", words.stitch,
                    "Zip boundaries that lie within L of each other first (mesh units), or within P percent of their "
-                   "edges; 10% where nothing follows")
+                   "edges; 10% where nothing follows. With a length, tiles that overlap within it are joined, too: the "
+                   "smaller one "
+                   "loses what lies on the larger one, and the gap is filled")
       ->type_name("[L|P%]");
   fill->add_flag(
       "--repair", words.repair,

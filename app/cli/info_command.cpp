@@ -74,17 +74,17 @@ struct Findings {
   NearBoundaries near;
   InvertedShells inverted;
   NoDataVertices no_data;
-  std::size_t overlapping_outlines = 0;
+  OverlappingOutlines overlapping;
 };
 
 Findings findings_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   return {loops.empty() ? NearBoundaries() : near_boundaries(model), find_inverted_shells(model, loops),
-          find_no_data(model.soup.points), count_overlapping_outlines(model, loops)};
+          find_no_data(model.soup.points), find_overlapping_outlines(model, loops)};
 }
 
 void print_findings(const Findings& found) {
   print_inverted(stdout, found.inverted, "  ");
-  print_tiles(stdout, {0, found.overlapping_outlines}, "  ");
+  print_tiles(stdout, {0, found.overlapping}, "  ");
   std::string near;
   if (found.near.vertices > 0)
     near = counted(found.near.vertices, "boundary vertex lies", "boundary vertices lie") +

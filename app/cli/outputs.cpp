@@ -192,12 +192,12 @@ void print_tiles(std::FILE* out, const TileOutlines& outlines, const char* begin
   if (outlines.abutting > 0)
     std::fprintf(out, "%s%s beside others: tiles that abut; fill --stitch joins them.\n", begin,
                  counted(outlines.abutting, "outline of a sheet runs", "outlines of sheets run").c_str());
-  if (outlines.overlapping > 0)
+  if (outlines.overlapping.count > 0)
     std::fprintf(
         out,
-        "%s%s over another one: tiles that overlap; merge them in the program that made them, or cut both along "
-        "one line, then fill --stitch joins them.\n",
-        begin, counted(outlines.overlapping, "outline of a sheet runs", "outlines of sheets run").c_str());
+        "%s%s over another one: tiles that overlap; fill --stitch %.2g cuts the smaller ones back and joins them.\n",
+        begin, counted(outlines.overlapping.count, "outline of a sheet runs", "outlines of sheets run").c_str(),
+        outlines.overlapping.distance);
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary_loops.h"
 
+#include "core/quantile.h"
 #include "mesh/by_position.h"
 #include "mesh/loop_chords.h"
 #include "mesh/loop_facing.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -38,6 +40,9 @@ constexpr double plane_cut = 0.01;
 /// Along a long part, a slot that turns as a hole does is measured across: a rod is open there up to 75° on both sides. The outline of a
 /// shared face (0.8 wide) turns so, too.
 constexpr double widest_slot = 0.5;
+/// Sides of a bent slot are so near to each other along four fifths of it, in perimeters, and so far from each other along the loop.
+constexpr double near_sides = 1.0 / 60, far_along = 1.0 / 20, share_of_sides = 0.8;
+constexpr std::size_t most_places = 100;  ///< of a loop, from which its other side is sought
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
   Points points;
@@ -64,6 +69,25 @@ void measure(const SurfaceModel& model, BoundaryLoop& loop) {
   loop.planarity = loop.diameter > 0 ? std::sqrt(std::max(0.0, eigen.eigenvalues()[0])) / loop.diameter : 0;
   loop.width = std::sqrt(8 * std::max(0.0, eigen.eigenvalues()[1]));
   loop.area = std::abs(area_vector.dot(eigen.eigenvectors().col(0)));
+}
+
+/// Distance between the sides of a slot, straight or bent; infinite where the loop has no two sides that run beside each other.
+double between_sides(const SurfaceModel& model, const BoundaryLoop& loop) {
+  const Points points = loop_points(model, loop);
+  const std::size_t n = points.size();
+  std::vector<double> along{0}, apart;
+  for (std::size_t i = 0; i < n; ++i) along.push_back(along.back() + (points[(i + 1) % n] - points[i]).norm());
+  for (std::size_t i = 0; i < n; i += 1 + n / most_places) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < n; ++k) {
+      const double between = std::abs(along[k] - along[i]);
+      if (std::min(between, loop.perimeter - between) >= far_along * loop.perimeter)
+        least = std::min(least, (points[k] - points[i]).norm());
+    }
+    apart.push_back(least);
+  }
+  const double usual = quantile(apart, share_of_sides);
+  return usual <= near_sides * loop.perimeter ? usual : std::numeric_limits<double>::infinity();
 }
 
 /// The edge from which the loop's positions, one after the other, come first in lexicographic order.
@@ -177,6 +201,7 @@ void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std:
     Eigen::AlignedBox3d box;
     for (const int v : loop.vertices) box.extend(model.mesh.point(TriMesh::VertexHandle(v)));
     loop.extent = box.diagonal().norm() / pieces.box(piece).diagonal().norm();
+    if (loop.extent > whole_extent && loop.turning < 0) loop.width = std::min(loop.width, between_sides(model, loop));
     if (loop.extent > whole_extent && loop.diameter > 0) at_piece[piece].emplace_back(&loop, facing.axis);
   }
   if (at_piece.empty()) return;

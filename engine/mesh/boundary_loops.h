@@ -29,7 +29,9 @@ struct BoundaryLoop {
   double diameter = 0;   ///< largest distance between two loop vertices
   double planarity = 0;  ///< rms distance from the best plane, divided by the diameter: 0 is flat
   double area = 0;       ///< of the projection to the best plane
-  double width = 0;      ///< across the longest direction, as of an ellipse: the diameter of a circle
+  /// Across the longest direction, as of an ellipse: the diameter of a circle. Of a slot that is bent, and as large as its piece of
+  /// surface, the distance between its sides.
+  double width = 0;
   double turning =
       0;  ///< total geodesic curvature seen from the surface, in units of 2π: −1 round hole, +1 boundary of a sheet
   Vec3 center = Vec3::Zero();  ///< mean of the loop's vertices

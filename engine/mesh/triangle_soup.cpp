@@ -3,6 +3,7 @@
 
 #include "mesh/scan_attributes.h"
 
+#include <numeric>
 #include <utility>
 
 namespace loopmend {
@@ -40,6 +41,18 @@ void copy_rows(const TriangleSoup& from, const std::vector<int>& points, const s
   // An empty list would stand for all.
   if (to.point_rows.empty()) to.point_rows.push_back(-1);
   if (to.triangle_rows.empty()) to.triangle_rows.push_back(-1);
+}
+
+TriangleSoup with_faces(const TriangleSoup& soup, const std::vector<char>& kept) {
+  TriangleSoup result = soup;
+  result.triangles.clear();
+  std::vector<int> points(soup.points.size()), rows;
+  std::iota(points.begin(), points.end(), 0);
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    if (kept[f]) rows.push_back(static_cast<int>(f));
+  for (const int f : rows) result.triangles.push_back(soup.triangles[static_cast<std::size_t>(f)]);
+  copy_rows(soup, points, rows, result);
+  return result;
 }
 
 void append(TriangleSoup& all, const TriangleSoup& part) {

@@ -37,6 +37,9 @@ int triangle_row(const TriangleSoup& soup, std::size_t triangle);
 void copy_rows(const TriangleSoup& from, const std::vector<int>& points, const std::vector<int>& triangles,
                TriangleSoup& to);
 
+/// All points and some of the triangles. @param kept  one for each triangle: not 0 where it stays
+TriangleSoup with_faces(const TriangleSoup& soup, const std::vector<char>& kept);
+
 /// Adds the points and triangles of `part`; where only one of the two has colours, the other's points become white. The
 /// attributes of neither are kept, but where `all` was empty.
 void append(TriangleSoup& all, const TriangleSoup& part);

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -97,21 +96,12 @@ std::optional<JoinedAgain> joined_again(const SurfaceModel& model, const StitchT
 
 /// @returns how many.
 std::size_t remove_faces_at(const std::vector<int>& vertices, TriangleSoup& soup) {
-  std::vector<char> is_marked(soup.points.size(), 0);
+  std::vector<char> is_marked(soup.points.size(), 0), kept;
   for (int v : vertices) is_marked[v] = 1;
-  std::vector<int> points(soup.points.size()), rows;
-  std::iota(points.begin(), points.end(), 0);
-  Triangles kept;
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
-    const Triangle& t = soup.triangles[f];
-    if (std::any_of(t.begin(), t.end(), [&](int v) { return is_marked[v] != 0; })) continue;
-    kept.push_back(t);
-    rows.push_back(static_cast<int>(f));
-  }
-  const TriangleSoup given = soup;
-  soup.triangles = std::move(kept);
-  copy_rows(given, points, rows, soup);
-  return given.triangles.size() - soup.triangles.size();
+  for (const Triangle& t : soup.triangles)
+    kept.push_back(std::none_of(t.begin(), t.end(), [&](int v) { return is_marked[v] != 0; }));
+  soup = with_faces(soup, kept);
+  return static_cast<std::size_t>(std::ranges::count(kept, 0));
 }
 
 /// @throws InvalidArgument where there is no such loop.
@@ -162,7 +152,7 @@ PrepareOptions::Base base_of(const std::string& text) {
 }
 
 bool Preparation::changed_nothing() const {
-  return !stitched && !repaired && sides_turned == 0 && bridges == 0 && base_loop == 0 &&
+  return !stitched && !repaired && sides_turned == 0 && bridges == 0 && tiles.removed_faces == 0 && base_loop == 0 &&
          no_data_faces.value_or(0) == 0;
 }
 
@@ -190,6 +180,10 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     replace(std::move(soup));
   }
   if (where_needed && has_sides_to_join(model, cancel)) options.stitch = PrepareOptions::Stitch::yes;
+  if (stitches() && options.stitch_tolerance.length.value_or(0) > 0) {
+    done.tiles = join_tiles(model, *options.stitch_tolerance.length, replace);
+    if (done.tiles.removed_faces > 0) options.stitch_tolerance = {};  // the length was that of the tiles
+  }
   if (stitches()) {
     done.stitched = stitch_boundaries(model, options.stitch_tolerance);
     replace(std::move(done.stitched->soup));

@@ -6,6 +6,7 @@
 #include "core/cancel.h"
 #include "mesh/no_data.h"
 #include "mesh/surface_model.h"
+#include "pipeline/join_tiles.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 
@@ -25,7 +26,7 @@ struct PrepareOptions {
   enum class Extent { as_asked, where_needed } extent = Extent::as_asked;
   enum class Sides { as_given, turned } sides = Sides::as_given;  ///< turned: every face looks the other way
   enum class Stitch { no, yes } stitch = Stitch::no;              ///< zip boundaries that nearly coincide
-  StitchTolerance stitch_tolerance{};
+  StitchTolerance stitch_tolerance{};  ///< with a length, tiles that overlap within it are joined as well
   enum class NoData {
     keep,
     cut
@@ -56,13 +57,14 @@ struct Preparation {
   std::optional<StitchedSurface> stitched;  ///< without its soup
   std::optional<RepairCounts> repaired;
   std::size_t joined_again = 0;  ///< vertices at cracks that the repair left, where both stitching and repair are done
+  JoinedTiles tiles;             ///< that overlapped, with a length as tolerance of stitching
   std::size_t bridges = 0;
-  std::size_t sides_turned = 0;   ///< faces, all of the mesh where that was asked for
-  int base_loop = 0;              ///< under which a base was built; 0: none
-  NoDataVertices no_data;         ///< that were found
+  std::size_t sides_turned = 0;              ///< faces, all of the mesh where that was asked for
+  int base_loop = 0;                         ///< under which a base was built; 0: none
+  NoDataVertices no_data;                    ///< that were found
   std::optional<std::size_t> no_data_faces;  ///< that were removed there, where it was asked for
-  ModelRepairs before;            ///< of the mesh as it was read
-  std::size_t turned_faces = 0;   ///< in the mesh as it was read, where another mesh came out of it
+  ModelRepairs before;                       ///< of the mesh as it was read
+  std::size_t turned_faces = 0;              ///< in the mesh as it was read, where another mesh came out of it
 
   /// Whether the mesh is still as it was read.
   bool changed_nothing() const;

@@ -301,7 +301,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     plan.pairs = find_rim_pairs(plan.model, plan.loops, cancel);
   plan.at_walls = are_at_walls(plan.model, plan.loops, plan.pairs);
   leave_wide_cracks(plan, job);
-  plan.tiles = {count_abutting(plan), count_overlapping_outlines(plan.model, plan.loops)};
+  plan.tiles = {count_abutting(plan), find_overlapping_outlines(plan.model, plan.loops)};
   plan.to_trim = plan.chosen();
   if (job.prepare.trims()) trim(plan, job);
   if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace loopmend {
 
@@ -16,6 +17,7 @@ namespace {
 namespace bg = boost::geometry;
 
 constexpr std::size_t most_places = 100;  ///< of an outline that are looked at
+constexpr double least_distance = 0.01;   ///< to propose, in edges
 constexpr double least_share = 0.2;       ///< of an outline that runs over another piece
 constexpr double looks_alike = 0.7;       ///< cosine of the angle between the normals
 constexpr double beside = 0.2;            ///< distance from a boundary edge, in edges
@@ -29,7 +31,8 @@ struct Place {
   double reach = 0;  ///< length of the edges there
   int part = 0;
   std::size_t outline = 0;
-  bool is_over = false, is_beside = false;  ///< a triangle of another part; a boundary edge of one
+  std::optional<double> over;  ///< distance from the nearest triangle of another part, over which it lies
+  bool is_beside = false;      ///< a boundary edge of one
 };
 
 Vec3 normal_at(const TriMesh& mesh, TriMesh::VertexHandle v) {
@@ -43,16 +46,18 @@ Vec3 normal_at(const TriMesh& mesh, TriMesh::VertexHandle v) {
   return sum.normalized();
 }
 
-/// Whether the point lies before or behind the triangle, no further from it than it reaches.
-bool lies_over(const Place& place, const Vec3& a, const Vec3& b, const Vec3& c) {
+/// Distance from a triangle that the point lies before or behind, no further from it than it reaches.
+std::optional<double> distance_over(const Place& place, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = (b - a).cross(c - a);
   const double area = n.norm();
-  if (!(area > 0) || n.dot(place.normal) < looks_alike * area) return false;
-  if (std::abs(n.dot(place.point - a)) > place.reach * area) return false;
+  if (!(area > 0) || n.dot(place.normal) < looks_alike * area) return std::nullopt;
+  const double distance = std::abs(n.dot(place.point - a)) / area;
+  if (distance > place.reach) return std::nullopt;
   const auto is_left_of = [&](const Vec3& p, const Vec3& q) {
     return (q - p).cross(place.point - p).dot(n) >= -edge_slack * area * area;
   };
-  return is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a);
+  if (!is_left_of(a, b) || !is_left_of(b, c) || !is_left_of(c, a)) return std::nullopt;
+  return distance;
 }
 
 /// Whether the point lies at a boundary edge, as vertices of tiles that abut do.
@@ -63,17 +68,17 @@ bool lies_beside(const Place& place, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-std::size_t count_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   std::vector<char> is_outer(loops.size(), 0), at_boundary(model.soup.points.size(), 0);
   for (std::size_t k = 0; k < loops.size(); ++k) {
     is_outer[k] = loops[k].kind == LoopKind::outer_rim && loops[k].edges() >= fewest_edges_of_a_sheet;
     for (const int v : loops[k].vertices)
       at_boundary[static_cast<std::size_t>(model.soup_vertex[static_cast<std::size_t>(v)])] = 1;
   }
-  if (std::count(is_outer.begin(), is_outer.end(), 1) == 0) return 0;
+  if (std::count(is_outer.begin(), is_outer.end(), 1) == 0) return {};
   int parts = 0;
   const std::vector<int> part_of = parts_of_points(model, parts);
-  if (parts < 2) return 0;
+  if (parts < 2) return {};
   std::vector<Place> places;
   double farthest = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
@@ -84,7 +89,7 @@ std::size_t count_overlapping_outlines(const SurfaceModel& model, const std::vec
       const int point = model.soup_vertex[static_cast<std::size_t>(v.idx())];
       places.push_back({model.mesh.point(v), normal_at(model.mesh, v),
                         (model.mesh.point(w) - model.mesh.point(v)).norm(), part_of[static_cast<std::size_t>(point)], k,
-                        false, false});
+                        std::nullopt, false});
       farthest = std::max(farthest, places.back().reach);
     }
   }
@@ -107,18 +112,25 @@ std::size_t count_overlapping_outlines(const SurfaceModel& model, const std::vec
         const int a = t[k], b = t[(k + 1) % 3];
         place.is_beside |= at_boundary[at(a)] && at_boundary[at(b)] && lies_beside(place, p[at(a)], p[at(b)]);
       }
-      place.is_over |= lies_over(place, p[at(t[0])], p[at(t[1])], p[at(t[2])]);
+      const std::optional<double> over = distance_over(place, p[at(t[0])], p[at(t[1])], p[at(t[2])]);
+      if (over && (!place.over || *over < *place.over)) place.over = over;
     }
   });
   std::vector<std::size_t> all(loops.size(), 0), over(loops.size(), 0);
   for (const Place& place : places) {
     ++all[place.outline];
-    over[place.outline] += place.is_over && !place.is_beside;
+    over[place.outline] += place.over && !place.is_beside;
   }
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    count += is_outer[k] && static_cast<double>(over[k]) >= least_share * static_cast<double>(all[k]);
-  return count;
+  OverlappingOutlines found;
+  std::vector<char> is_over(loops.size(), 0);
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    is_over[k] = is_outer[k] && static_cast<double>(over[k]) >= least_share * static_cast<double>(all[k]);
+    found.count += is_over[k] != 0;
+  }
+  for (const Place& place : places)
+    if (is_over[place.outline] && place.over && !place.is_beside)
+      found.distance = std::max({found.distance, 1.5 * *place.over, least_distance * place.reach});
+  return found;
 }
 
 }  // namespace loopmend

@@ -9,14 +9,22 @@
 
 namespace loopmend {
 
-/// How many outlines of sheets lie beside other boundaries, near enough for --stitch, and over other sheets.
-struct TileOutlines {
-  std::size_t abutting = 0, overlapping = 0;
+/// Outlines that run over another part of the surface.
+struct OverlappingOutlines {
+  std::size_t count = 0;
+  double distance =
+      0;  ///< half as far again as the farthest vertex lies over the other part, mesh units: enough for join_tiles()
 };
 
-/// How many outlines run over another piece of surface that looks the same way, for a fifth of their length or more and within
-/// an edge's length of it. Outlines that only lie beside another boundary are none of these.
+/// How many outlines of sheets lie beside other boundaries, near enough for --stitch, and over other sheets.
+struct TileOutlines {
+  std::size_t abutting = 0;
+  OverlappingOutlines overlapping;
+};
+
+/// Outlines that run over another part that looks the same way, for a fifth of their length or more and within an edge's length
+/// of it. Outlines that only lie beside another boundary are none of these.
 /// @param loops  all of the model
-std::size_t count_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
+OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
 }  // namespace loopmend

@@ -270,7 +270,7 @@ class FillResult:
         without an estimate.
     turned_faces: how many were turned round.
     stopped: whether max_time, or Ctrl-C with keep_partial, ended the work before all was done.
-    prepared: what stitch and repair did, in numbers: {"stitched": {...}, "repaired": {...}, "joined_again": N}.
+    prepared: what stitch and repair did, in numbers: {"joined_tiles": {...}, "stitched": {...}, "repaired": {...}, "joined_again": N}.
     trimmed_faces: what trim_boundary or trim_crossing removed: {"face": number before the trimming, "fault": a word, "ring": the round}.
     carried: as in Mesh, for the filled mesh.
     """

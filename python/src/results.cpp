@@ -83,9 +83,12 @@ py::dict union_figures(const UnionCounts& united) {
                   "refused_pairs"_a = united.refused, "crossing_parts"_a = united.crossing_parts);
 }
 
-/// Only what was asked for: {"stitched": {...}, "repaired": {...}, "joined_again": N}.
+/// Only what was done: {"joined_tiles": {...}, "stitched": {...}, "repaired": {...}, "joined_again": N}.
 py::dict preparation(const FilledScan& done) {
   py::dict counts;
+  if (done.prepared.tiles.removed_faces > 0)
+    counts["joined_tiles"] = py::dict("removed_faces"_a = done.prepared.tiles.removed_faces,
+                                      "strips"_a = done.prepared.tiles.bridges);
   if (done.prepared.stitched)
     counts["stitched"] = py::dict("joined_vertices"_a = done.prepared.stitched->joined_vertices,
                                   "split_faces"_a = done.prepared.stitched->split_faces,

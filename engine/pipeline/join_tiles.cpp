@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/join_tiles.h"
+
+#include "core/error.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/pieces.h"
+#include "mesh/self_intersections.h"
+#include "mesh/surface_tree.h"
+#include "pipeline/hand_bridge.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double looks_alike = 0.7;         ///< cosine of the angle between the normals
+constexpr double beside = 0.5;              ///< from the outline of the larger part, in edges of the smaller one
+constexpr std::size_t fewest_in_a_row = 8;  ///< vertices, for a strip at either end
+constexpr std::size_t most_tries = 8;       ///< of each strip
+constexpr std::ptrdiff_t from_corner = 2;   ///< vertices from the end of a row to the middle of its strip
+
+std::size_t at(int v) { return static_cast<std::size_t>(v); }
+
+Vec3 doubled_area(const Points& points, const Triangle& t) {
+  return (points[at(t[1])] - points[at(t[0])]).cross(points[at(t[2])] - points[at(t[0])]);
+}
+
+/// The faces of one part, and what is known at its vertices.
+struct Part {
+  std::vector<int> faces;
+  double area = 0;
+  Eigen::AlignedBox3d box;
+};
+
+class Overlap {
+ public:
+  Overlap(const SurfaceModel& model, double distance)
+      : points_(model.soup.points),
+        triangles_(model.soup.triangles),
+        distance_(distance),
+        kept_(triangles_.size(), 1),
+        normals_(points_.size(), Vec3::Zero()),
+        edges_(points_.size(), 0),
+        at_boundary_(points_.size(), 0) {
+    int count = 0;
+    const std::vector<int> part_of = parts_of_points(model, count);
+    parts_.resize(at(count));
+    for_each_soup_triangle(model, [&](int f) { add(f, parts_[at(part_of[at(triangles_[at(f)][0])])]); });
+    for (const BoundaryLoop& loop : find_boundary_loops(model))
+      for (const int v : loop.vertices) at_boundary_[at(model.soup_vertex[at(v)])] = 1;
+    std::ranges::stable_sort(parts_, std::ranges::greater(), &Part::area);
+  }
+
+  /// One for each triangle: 0 where it has to go.
+  std::vector<char> kept() {
+    for (std::size_t k = 1; k < parts_.size(); ++k) cut_back(k);
+    return kept_;
+  }
+
+ private:
+  void add(int f, Part& part) {
+    const Triangle& t = triangles_[at(f)];
+    const Vec3 area = doubled_area(points_, t);
+    part.faces.push_back(f);
+    part.area += area.norm();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t v = at(t[c]), w = at(t[(c + 1) % 3]);
+      part.box.extend(points_[v]);
+      normals_[v] += area;
+      const double length = (points_[w] - points_[v]).norm();
+      edges_[v] = std::max(edges_[v], length);
+      edges_[w] = std::max(edges_[w], length);
+    }
+  }
+
+  Eigen::AlignedBox3d around(const Part& part) const {
+    const Vec3 margin = Vec3::Constant(distance_);
+    return {part.box.min() - margin, part.box.max() + margin};
+  }
+
+  Triangles kept_triangles(const Part& part) const {
+    Triangles kept;
+    for (const int f : part.faces)
+      if (kept_[at(f)]) kept.push_back(triangles_[at(f)]);
+    return kept;
+  }
+
+  /// Whether the vertex lies over these triangles, or so far beside them.
+  bool lies_over(int v, const SurfaceTree& tree, const Triangles& below, double beside_length,
+                 int* triangle = nullptr) const {
+    const SurfacePoint foot = tree.closest(points_[at(v)]);
+    if (foot.triangle < 0) return false;
+    if (triangle) *triangle = foot.triangle;
+    const Vec3 normal = doubled_area(points_, below[at(foot.triangle)]).normalized();
+    const Vec3 apart = points_[at(v)] - foot.place;
+    const double along = normal.dot(apart);
+    return std::abs(along) <= distance_ && (apart - along * normal).norm() <= beside_length &&
+           normal.dot(normals_[at(v)].normalized()) >= looks_alike;
+  }
+
+  void cut_back(std::size_t k) {
+    const Part& part = parts_[k];
+    const Eigen::AlignedBox3d reach = around(part);
+    Triangles below;
+    std::set<int> outline;  // of the larger parts, near this one
+    for (std::size_t j = 0; j < k; ++j) {
+      if (!parts_[j].box.intersects(reach)) continue;
+      for (const Triangle& t : kept_triangles(parts_[j])) {
+        below.push_back(t);
+        for (const int v : t)
+          if (at_boundary_[at(v)] && reach.contains(points_[at(v)])) outline.insert(v);
+      }
+    }
+    if (below.empty()) return;
+    const SurfaceTree tree(points_, below);
+    std::vector<signed char> over(points_.size(), -1);  // asked when needed
+    for (const int f : part.faces)
+      for (const int v : triangles_[at(f)]) {
+        signed char& answer = over[at(v)];
+        if (answer < 0) answer = lies_over(v, tree, below, beside * edges_[at(v)]) ? 1 : 0;
+        if (answer > 0) kept_[at(f)] = 0;
+      }
+    const Triangles left = kept_triangles(part);  // faces so large that none of their vertices is over
+    std::vector<int> number;
+    for (const int f : part.faces)
+      if (kept_[at(f)]) number.push_back(f);
+    const SurfaceTree upper(points_, left);
+    for (const int v : outline)
+      if (int f = -1; lies_over(v, upper, left, 1e-6 * edges_[at(v)], &f)) kept_[at(number[at(f)])] = 0;
+  }
+
+  const Points& points_;
+  const Triangles& triangles_;
+  double distance_;
+  std::vector<char> kept_;
+  Points normals_;             ///< as long as the areas
+  std::vector<double> edges_;  ///< the longest at each point
+  std::vector<char> at_boundary_;
+  std::vector<Part> parts_;  ///< by falling area
+};
+
+/// A row of boundary vertices that came free, in the order of its loop.
+struct FreeRow {
+  std::vector<int> points;
+  bool is_closed = false;
+};
+
+std::vector<FreeRow> free_rows(const SurfaceModel& model, const std::vector<char>& is_free) {
+  std::vector<FreeRow> rows;
+  for (const BoundaryLoop& loop : find_boundary_loops(model)) {
+    std::vector<int> points;
+    for (const int v : loop.vertices) points.push_back(model.soup_vertex[at(v)]);
+    const auto bound = std::ranges::find_if(points, [&](int v) { return !is_free[at(v)]; });
+    if (bound == points.end()) {
+      rows.push_back({std::move(points), true});
+      continue;
+    }
+    std::rotate(points.begin(), bound, points.end());
+    points.push_back(points.front());
+    FreeRow row;
+    for (const int v : points)
+      if (is_free[at(v)])
+        row.points.push_back(v);
+      else if (!row.points.empty())
+        rows.push_back(std::exchange(row, {}));
+  }
+  return rows;
+}
+
+/// Joins parts of the surface along rows that came free.
+class Joiner {
+ public:
+  Joiner(const SurfaceModel& model, const std::function<void(TriangleSoup)>& replace)
+      : model_(model),
+        replace_(replace) {
+    int count = 0;
+    part_of_ = parts_of_points(model, count);
+  }
+
+  /// @returns how many strips were laid.
+  std::size_t join(const FreeRow& row) {
+    if (row.is_closed) return bridge(row.points);
+    if (row.points.size() < fewest_in_a_row) return 0;
+    const auto half = static_cast<std::ptrdiff_t>(row.points.size() / 2);
+    return bridge({row.points.begin() + from_corner, row.points.begin() + half}) +
+           bridge({row.points.rbegin() + from_corner, row.points.rbegin() + half});
+  }
+
+ private:
+  /// The boundary vertex of another part that is nearest; −1 where there is none.
+  int nearest_of_another(int from) const {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    const Points& points = model_.soup.points;
+    for (const BoundaryLoop& loop : find_boundary_loops(model_))
+      for (const int v : loop.vertices) {
+        const int point = model_.soup_vertex[at(v)];
+        if (at(point) >= part_of_.size() || part_of_[at(point)] == part_of_[at(from)]) continue;
+        const double apart = (points[at(point)] - points[at(from)]).squaredNorm();
+        if (apart < least) least = apart, nearest = point;
+      }
+    return nearest;
+  }
+
+  /// From the first of these points from which a strip cuts nothing. @returns how many were laid: 0 or 1
+  std::size_t bridge(const std::vector<int>& from) {
+    for (std::size_t k = 0; k < std::min(most_tries, from.size()); ++k) {
+      const int to = nearest_of_another(from[k]);
+      if (to < 0) return 0;
+      try {
+        HandBridge bridge = with_bridge(model_, from[k], to);
+        if (cuts_surface(bridge.soup)) continue;
+        replace_(std::move(bridge.soup));
+        return 1;
+      } catch (const InvalidArgument&) {  // both ends have a vertex in common
+      }
+    }
+    return 0;
+  }
+
+  /// Whether the triangles beyond those of the model do, or cut each other.
+  bool cuts_surface(const TriangleSoup& soup) const {
+    Triangles triangles = soup.triangles;
+    const auto count = static_cast<std::ptrdiff_t>(soup.triangles.size() - model_.soup.triangles.size());
+    std::rotate(triangles.begin(), triangles.end() - count, triangles.end());
+    return !self_intersections(soup.points, triangles, static_cast<int>(count)).empty();
+  }
+
+  const SurfaceModel& model_;
+  const std::function<void(TriangleSoup)>& replace_;
+  std::vector<int> part_of_;  ///< of each point before any strip was laid
+};
+
+}  // namespace
+
+JoinedTiles join_tiles(const SurfaceModel& model, double distance, const std::function<void(TriangleSoup)>& replace) {
+  JoinedTiles joined;
+  const std::vector<char> kept = Overlap(model, distance).kept();
+  joined.removed_faces = static_cast<std::size_t>(std::ranges::count(kept, 0));
+  if (joined.removed_faces == 0) return joined;
+  std::vector<char> is_free(model.soup.points.size(), 0);
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    if (!kept[f])
+      for (const int v : model.soup.triangles[f]) is_free[at(v)] = 1;
+  replace(with_faces(model.soup, kept));
+  Joiner joiner(model, replace);
+  for (const FreeRow& row : free_rows(model, is_free)) joined.bridges += joiner.join(row);
+  return joined;
+}
+
+}  // namespace loopmend

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/join_tiles.h"
+
+#include "mesh/boundary_loops.h"
+#include "mesh/pieces.h"
+#include "mesh/self_intersections.h"
+#include "pipeline/fill_holes.h"
+#include "samples/analytic_surfaces.h"
+#include "samples/paper_inputs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+namespace loopmend {
+namespace {
+
+double height(double x, double y) { return 0.1 * std::sin(2 * x) * std::cos(y); }
+
+/// A tile two wide of one wavy sheet, with its corner and its distance from the sheet.
+TriangleSoup tile(double x, double y, double apart, int cells) {
+  TriangleSoup soup = make_graph([&](double s, double t) { return height(s + x, t + y) + apart; }, 1, cells);
+  for (Vec3& p : soup.points) p += Vec3(x, y, 0);
+  return soup;
+}
+
+JoinedTiles join(SurfaceModel& model, double distance) {
+  return join_tiles(model, distance, [&](TriangleSoup soup) { model = make_surface_model(std::move(soup)); });
+}
+
+int parts(const SurfaceModel& model) {
+  int count = 0;
+  parts_of_points(model, count);
+  return count;
+}
+
+TEST(JoinTiles, MakesOneSheetOfFourWithHolesForGaps) {
+  SurfaceModel model = make_surface_model(
+      joined({tile(0, 0, 0, 20), tile(1.8, 0, 0.005, 23), tile(0, 1.8, -0.004, 22), tile(1.75, 1.85, 0.008, 19)}));
+  const JoinedTiles done = join(model, 0.03);
+  EXPECT_GT(done.removed_faces, 100U);
+  EXPECT_GE(done.bridges, 6U);
+  EXPECT_EQ(parts(model), 1);
+  fill_all_holes(model);
+  EXPECT_EQ(find_boundary_loops(model).size(), 1U);
+  EXPECT_TRUE(self_intersections(model.soup.points, model.soup.triangles, static_cast<int>(model.soup.triangles.size()))
+                  .empty());
+  for (const int v : model.soup_vertex) {
+    const Vec3& p = model.soup.points[static_cast<std::size_t>(v)];
+    EXPECT_NEAR(p.z(), height(p.x(), p.y()), 0.012);
+  }
+}
+
+/// Their gap runs round the ball: a bent slot, and no outline of a sheet.
+TEST(JoinTiles, ClosesABallOfTwoTiles) {
+  TriangleSoup upper = cut(make_icosphere(4), [](const Vec3& p) { return p.z() < -0.2 + 0.3 * p.x(); });
+  TriangleSoup lower = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.3 + 0.3 * p.x(); });
+  for (Vec3& p : lower.points) p = 1.004 * Vec3(p.y(), -p.x(), p.z());
+  SurfaceModel model = make_surface_model(joined({upper, lower}));
+  ASSERT_EQ(parts(model), 2);
+  EXPECT_EQ(join(model, 0.01).bridges, 1U);
+  fill_all_holes(model);
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+  for (const int v : model.soup_vertex) EXPECT_NEAR(model.soup.points[static_cast<std::size_t>(v)].norm(), 1, 0.006);
+}
+
+TEST(JoinTiles, DropsATileThatLiesOnAnotherAltogether) {
+  TriangleSoup small = tile(0, 0, 0.004, 9);
+  for (Vec3& p : small.points) p = Vec3(p.x() / 2, p.y() / 2, height(p.x() / 2, p.y() / 2) + 0.004);
+  const TriangleSoup large = tile(0, 0, 0, 20);
+  SurfaceModel model = make_surface_model(joined({small, large}));
+  const JoinedTiles done = join(model, 0.01);
+  EXPECT_EQ(done.removed_faces, small.triangles.size());
+  EXPECT_EQ(done.bridges, 0U);
+  EXPECT_EQ(model.soup.triangles.size(), large.triangles.size());
+}
+
+TEST(JoinTiles, LeavesWhatLiesApartOrLooksTheOtherWay) {
+  SurfaceModel far = make_surface_model(joined({tile(0, 0, 0, 20), tile(1.8, 0, 0.05, 23)}));
+  EXPECT_EQ(join(far, 0.03).removed_faces, 0U);
+  TriangleSoup back = tile(0.2, 0, -0.01, 20);
+  for (Triangle& t : back.triangles) std::swap(t[1], t[2]);
+  SurfaceModel plate = make_surface_model(joined({tile(0, 0, 0, 20), back}));
+  EXPECT_EQ(join(plate, 0.03).removed_faces, 0U);
+  SurfaceModel beside = make_surface_model(joined({tile(0, 0, 0, 20), tile(2.2, 0, 0, 20)}));
+  EXPECT_EQ(join(beside, 0.03).removed_faces, 0U);
+}
+
+}  // namespace
+}  // namespace loopmend
