@@ -224,6 +224,7 @@ void MainWindow::connect_controller() {
   autosave_.set_view_source(view);
   connect(&controller_, &FillController::view_restored, this, [this](const SessionView& seen) {
     Look look = seen.look;
+    look.tint = look_->look().tint;  // no session keeps it
     if (look.shading == Shading::scan && !has_scan_colors_) look.shading = Shading::curvature;
     look_->set_look(look);
     view_->set_viewpoint(seen.from);

@@ -115,6 +115,7 @@ void MainWindow::connect_view_actions() {
   a.on("wireframe", this, [this](bool on) { look_->set_edges(on ? Edges::shown : Edges::hidden); });
   a.on("clip", &look_->clipping(), &ClippingBox::toggle);
   a.on("seams", this, [this](bool on) { look_->set_seams(on ? Seams::shown : Seams::hidden); });
+  a.on("tint", this, [this](bool on) { look_->set_tint(on ? Tint::patches : Tint::none); });
   a.on("frame", view_, &MeshView::frame);
   a.on("orthographic", this, [this](bool on) {
     view_->set_projection(on ? MeshView::Projection::orthographic : MeshView::Projection::perspective);
@@ -302,7 +303,7 @@ void MainWindow::update_actions() {
   for (QAction* action : a.all("export saveSession saveSessionAs")) action->setEnabled(idle && scan);
   for (QAction* action : a.all("add compare toolRegionAction toolPointsAction toolBlendAction toolBridgeAction "
                                "toolFillPartAction toolEdgesAction toolMirrorAction toolMeasureAction clip screenshot "
-                               "frame orthographic hidePiece isolatePiece probe wireframe seams selectAll nextHole "
+                               "frame orthographic hidePiece isolatePiece probe wireframe seams tint selectAll nextHole "
                                "previousHole curvature gaussian plain zebra isophotes"))
     action->setEnabled(scan);
   a["film"]->setEnabled(idle && has_film(document_, chosen_patches(document_, selection_)));
@@ -345,6 +346,7 @@ void MainWindow::update_actions() {
     if (up == look.up) a[name]->setChecked(true);
   a["wireframe"]->setChecked(look.edges == Edges::shown);
   a["seams"]->setChecked(look.seams == Seams::shown);
+  a["tint"]->setChecked(look.tint == Tint::patches);
   holes_->small_holes().set_use(idle ? SmallHolesBox::Use::possible : SmallHolesBox::Use::busy);
 }
 
