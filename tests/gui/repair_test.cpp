@@ -249,6 +249,8 @@ void RepairTest::defects_are_marked_in_the_view() {
   QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("showDuplicate"))->isEnabled());
   fix(dialog, "showFragments");
   QVERIFY(wait_until(is_red_in_the_middle));
+  const QWidget* canvas = window.view().canvas();
+  QVERIFY(!dialog->frameGeometry().contains(canvas->mapToGlobal(canvas->rect().center())));  // and it is seen
   const QString said = dialog->findChild<QLabel*>(QStringLiteral("repairSummary"))->text();
   QVERIFY2(said.contains(QStringLiteral("Faces: 1, places: 1.")), qPrintable(said));
   fix(dialog, "fixFragments");
