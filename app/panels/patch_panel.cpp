@@ -46,8 +46,8 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(8, 6, 8, 8);
-  layout->setSpacing(4);
+  layout->setContentsMargins(8, 2, 8, 2);
+  layout->setSpacing(2);
   fill_->add_options(flow_->options_widget());
   flow_->add_states(*decision_);
   layout->addWidget(fill_);
