@@ -95,22 +95,27 @@ RepairDialog::RepairDialog(const Document& document, FillController& controller,
     if (!job_) tell();
   });
   connect(&controller_, &FillController::activity_changed, this, &RepairDialog::update_buttons);
+  connect(&controller_, &FillController::stage_changed, this, [this](const QString& stage) {
+    if (job_ || marking_) return;
+    stage.isEmpty() ? tell() : summary_->setText(stage + QChar(0x2026));
+  });
   count();
 }
 
 void RepairDialog::build() {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(18, 18, 18, 14);
-  grid->setHorizontalSpacing(18);
-  grid->setVerticalSpacing(10);
+  grid->setHorizontalSpacing(10);
+  grid->setVerticalSpacing(6);
   summary_ = new SteadyLabel;
   summary_->setObjectName(QStringLiteral("repairSummary"));
-  summary_->keep_room_for({QStringLiteral("1\n2\n3\n4")});  // what was done takes some lines
+  summary_->keep_room_for({QStringLiteral("1\n2\n3\n4\n5\n6")});  // what was done takes some lines
   grid->addWidget(summary_, 0, 0, 1, 5);
   int line = 1;
   for (const Words& words : all_words) {
     Row& row = rows_[words.defect];
     auto* title = new QLabel(tr(words.title));
+    title->setWordWrap(true);  // a narrow window leaves room to see what it shows
     title->setToolTip(tr(words.help));
     row.count = new QLabel;
     row.count->setObjectName(QStringLiteral("count") + QLatin1String(words.name));
@@ -119,7 +124,7 @@ void RepairDialog::build() {
     row.before = make_note((QByteArray("before") + words.name).constData());
     row.before->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row.before->setMinimumWidth(
-        row.before->fontMetrics().horizontalAdvance(tr("was %1").arg(labels::count(1'000'000))));
+        row.before->fontMetrics().horizontalAdvance(tr("was %1").arg(labels::count(100'000))));
     const QString help =
         tr("Mark in the view the faces that the repair would remove or change, and fly there; once more: to the next "
            "place");

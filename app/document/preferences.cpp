@@ -90,6 +90,7 @@ Look load_look() {
   look.shading = static_cast<Shading>(whole("look/shading", 0, 0, static_cast<int>(Shading::isophotes)));
   look.edges = static_cast<Edges>(whole("look/edges", static_cast<int>(look.edges), 0, 1));
   look.seams = static_cast<Seams>(whole("look/seams", static_cast<int>(look.seams), 0, 1));
+  look.tint = static_cast<Tint>(whole("look/tint", static_cast<int>(look.tint), 0, 1));
   look.stripes = whole("look/stripes", look.stripes, 3, 40);
   look.up = static_cast<UpAxis>(whole("look/up", 0, 0, static_cast<int>(UpAxis::minus_z)));
   return look;
@@ -101,6 +102,7 @@ void save_look(const Look& look) {
   if (suits_every_scan) stored.setValue(QStringLiteral("look/shading"), static_cast<int>(look.shading));
   stored.setValue(QStringLiteral("look/edges"), static_cast<int>(look.edges));
   stored.setValue(QStringLiteral("look/seams"), static_cast<int>(look.seams));
+  stored.setValue(QStringLiteral("look/tint"), static_cast<int>(look.tint));
   stored.setValue(QStringLiteral("look/stripes"), look.stripes);
   stored.setValue(QStringLiteral("look/up"), static_cast<int>(look.up));
 }

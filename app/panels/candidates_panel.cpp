@@ -134,13 +134,14 @@ int CandidatesPanel::looked_at() const {
 CardText CandidatesPanel::text_of(const Candidate& candidate) const {
   CardText text;
   text.name = labels::candidate(candidate.kind);
-  double crease = 0, likely = 0;
+  double likely = 0;
+  std::optional<double> crease;  ///< none where an edge belongs there, as in the table
   std::optional<Verdict> worst;
   bool is_known = true, cuts = false;
   for (const OpenPatch& patch : candidate.patches) {
     const PatchState& state = *patch.state;
     for (const Verdict& verdict : state.verdicts) {
-      crease = std::max(crease, verdict.crease_deg.value_or(0));
+      if (verdict.crease_deg) crease = std::max(crease.value_or(0), *verdict.crease_deg);
       if (!worst || verdict.grade > worst->grade) worst = verdict;
     }
     is_known = is_known && !state.deviation.loops.empty();
@@ -158,7 +159,7 @@ CardText CandidatesPanel::text_of(const Candidate& candidate) const {
     text.verdict = worst->grade == Grade::good ? tr("good") : labels::state(text.state);
   }
   QStringList figures;
-  if (worst) figures << tr("crease %1\u00b0").arg(std::lround(crease));
+  if (worst) figures << (crease ? tr("crease %1\u00b0").arg(std::lround(*crease)) : tr("an edge at the seam"));
   if (is_known) figures << tr("off %1").arg(labels::length(document_, likely));
   text.figures = figures.join(QStringLiteral(", "));
   text.help = labels::candidate_help(candidate.kind);

@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSlider>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -33,7 +34,7 @@ QString state_words(const PatchState& state) {
 
 DecisionBox::DecisionBox(const Document& document, const HoleSelection& selection, FillController& controller,
                          QWidget* parent)
-    : QGroupBox(tr("3  Review, decide"), parent),
+    : QGroupBox(tr("2  Review, decide"), parent),
       document_(document),
       selection_(selection),
       controller_(controller) {
@@ -64,6 +65,7 @@ DecisionBox::DecisionBox(const Document& document, const HoleSelection& selectio
 
 void DecisionBox::build() {
   auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(box_margins);
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(4);
   timeline_ = new QSlider(Qt::Horizontal);
@@ -77,7 +79,6 @@ void DecisionBox::build() {
   reject_ = make_button("reject", tr("Discard"), tr("Throw this patch away; the hole is open again (Delete)"));
   copy_ = make_button("copyCommand", tr("Copy command line"),
                       tr("Copy the commands that fill these holes in just this way, for a terminal or a script"));
-  // The buttons for every patch come first: a person sees them without scrolling.
   grid->addWidget(accept_, 0, 0);
   grid->addWidget(reject_, 0, 1);
   auto* seam = make_button("showSeam", tr("Seam and plots"),
@@ -88,10 +89,12 @@ void DecisionBox::build() {
   connect(others_, &QPushButton::clicked, this, &DecisionBox::candidates_wanted);
   grid->addWidget(others_, 1, 0);
   grid->addWidget(seam, 1, 1);
-  grid->addWidget(place_, 2, 0, 1, 2);
-  grid->addWidget(timeline_, 3, 0, 1, 2);
-  grid->addWidget(player_, 4, 0, 1, 2);
-  grid->addWidget(copy_, 5, 0, 1, 2);
+  states_ = new QWidget;
+  auto* states = make_layout<QVBoxLayout>(states_);
+  states->setSpacing(2);
+  states->addWidget(place_);
+  states->addWidget(timeline_);
+  player_->add_to_rest(copy_);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
 }

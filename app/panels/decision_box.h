@@ -29,6 +29,8 @@ class DecisionBox : public QGroupBox {
   void copy_command();
   /// Of the recorded states.
   PlayerBar& player() { return *player_; }
+  /// The timeline and its words, for another box.
+  QWidget* states() const { return states_; }
   void update_state();
   void update_timeline();
 
@@ -49,6 +51,7 @@ class DecisionBox : public QGroupBox {
   FillController& controller_;
   QTimer soon_{this};
   QElapsedTimer clicked_;  ///< since Accept was
+  QWidget* states_ = nullptr;
   QuietLabel* place_ = nullptr;
   QSlider* timeline_ = nullptr;
   PlayerBar* player_ = nullptr;

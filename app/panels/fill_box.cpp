@@ -50,6 +50,7 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
 
 void FillBox::build() {
   auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(box_margins);
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(4);
   target_ = make_note("fillTarget");
@@ -102,22 +103,22 @@ void FillBox::build() {
   head->addWidget(make_fold("moreOfFill", tr("More options"), more), 0, Qt::AlignTop);
   grid->addLayout(head, 0, 0, 1, 3);
   grid->addWidget(estimate_, 1, 0, 1, 3);
-  auto* fills = new QHBoxLayout;
-  fills->addWidget(whole_, 1);
-  fills->addWidget(fill_, 1);
-  grid->addLayout(fills, 2, 0, 1, 3);
+  grid->addWidget(whole_, 2, 0, 1, 3);
   auto* repairs = new QHBoxLayout;
   for (QPushButton* button : {trim_, stitch_, repair_}) repairs->addWidget(button);
   grid->addLayout(repairs, 4, 0, 1, 3);
-  auto* rest = make_layout<QGridLayout>(more);
-  rest->addWidget(density_label, 0, 0);
-  rest->addWidget(density_, 0, 1);
-  rest->addWidget(preview_, 0, 2);
-  rest->addWidget(islands_, 1, 0, 1, 3);
-  rest->setColumnStretch(1, 1);
+  rest_ = make_layout<QGridLayout>(more);
+  rest_->addWidget(density_label, 0, 0);
+  rest_->addWidget(density_, 0, 1);
+  rest_->addWidget(preview_, 0, 2);
+  rest_->addWidget(islands_, 1, 0, 1, 3);
+  rest_->addWidget(fill_, 3, 0, 1, 3);
+  rest_->setColumnStretch(1, 1);
   grid->addWidget(more, 6, 0, 1, 3);
   grid->setColumnStretch(1, 1);
 }
+
+void FillBox::add_options(QWidget* options) { rest_->addWidget(options, 2, 0, 1, 3); }
 
 /// The initial patches among those that may be moved; all of these where there is none.
 std::set<int> FillBox::patches_to_smooth() const {

@@ -35,6 +35,8 @@ class FillBox : public QGroupBox {
   void fill_and_smooth(const std::set<int>& loops);
   void update_state();
   FillChoice choice() const;
+  /// What else is chosen before a fill, among those of this box.
+  void add_options(QWidget* options);
 
  Q_SIGNALS:
   void repair_wanted();
@@ -60,6 +62,7 @@ class FillBox : public QGroupBox {
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;
   QPushButton *whole_ = nullptr, *fill_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr, *repair_ = nullptr;
+  QGridLayout* rest_ = nullptr;
   QTimer preview_timer_{this};
 };
 

@@ -5,7 +5,9 @@
 #include "document/targets.h"
 #include "jobs/fill_controller.h"
 #include "panels/choices.h"
+#include "panels/decision_box.h"
 #include "panels/parts.h"
+#include "panels/player_bar.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -30,7 +32,7 @@ constexpr int sigma_start = 1 * ticks_per_decade;
 }  // namespace
 
 FlowBox::FlowBox(const Document& document, const HoleSelection& selection, FillController& controller, QWidget* parent)
-    : QGroupBox(tr("2  Flow"), parent),
+    : QGroupBox(tr("3  Flow"), parent),
       document_(document),
       selection_(selection),
       controller_(controller) {
@@ -44,10 +46,11 @@ FlowBox::FlowBox(const Document& document, const HoleSelection& selection, FillC
 
 void FlowBox::build() {
   auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(box_margins);
   grid->setHorizontalSpacing(10);
   grid->setVerticalSpacing(4);
   target_ = make_note("flowTarget");
-  target_->keep_room_for({QStringLiteral("1\n2")});  // nothing moves under the mouse
+  target_->keep_room_for({QStringLiteral("1")});  // nothing moves under the mouse
   flow_ = make_flow_choice("flow", tr("Which geometric flow moves the patch, and so how far the seam is matched"));
   help_ = make_note("flowHelp");
   help_->keep_room_for({labels::flow_help(FlowKind::mcf), labels::flow_help(FlowKind::sdf),
@@ -88,26 +91,38 @@ void FlowBox::build() {
   head->addWidget(target_, 1);
   head->addWidget(make_fold("moreOfFlow", tr("More options"), more), 0, Qt::AlignTop);
   grid->addLayout(head, 0, 0, 1, 2);
-  grid->addWidget(flow_, 1, 0, 1, 2);
-  grid->addWidget(run_, 2, 0);
-  grid->addWidget(compare_, 2, 1);
-  auto* rest = make_layout<QGridLayout>(more);
-  rest->addWidget(help_, 0, 0, 1, 2);
-  rest->addWidget(boundary_label, 1, 0);
-  rest->addWidget(boundary_, 1, 1);
-  rest->addWidget(continuity_label, 2, 0);
-  rest->addWidget(continuity_, 2, 1);
-  rest->addWidget(relief_, 3, 0);
-  rest->addWidget(edges_, 3, 1);
-  rest->addWidget(sigma_label, 4, 0);
-  rest->addWidget(sigma_value_, 4, 1);
-  rest->addWidget(sigma_, 5, 0);
-  rest->addWidget(step_, 5, 1);
-  rest->setColumnStretch(0, 1);
-  rest->setColumnStretch(1, 1);
+  grid->addWidget(run_, 2, 1);
+  rest_ = make_layout<QGridLayout>(more);
+  rest_->addWidget(sigma_label, 1, 0);
+  rest_->addWidget(sigma_value_, 1, 1);
+  rest_->addWidget(sigma_, 2, 0);
+  rest_->addWidget(step_, 2, 1);
+  rest_->addWidget(compare_, 3, 0, 1, 2);
+  rest_->setColumnStretch(0, 1);
+  rest_->setColumnStretch(1, 1);
+  options_ = new QWidget;
+  auto* before = make_layout<QGridLayout>(options_);
+  before->setVerticalSpacing(4);
+  before->addWidget(flow_, 0, 0, 1, 2);
+  before->addWidget(help_, 1, 0, 1, 2);
+  before->addWidget(boundary_label, 2, 0);
+  before->addWidget(boundary_, 2, 1);
+  before->addWidget(continuity_label, 3, 0);
+  before->addWidget(continuity_, 3, 1);
+  before->addWidget(relief_, 4, 0);
+  before->addWidget(edges_, 4, 1);
+  before->setColumnStretch(0, 1);
+  before->setColumnStretch(1, 1);
   grid->addWidget(more, 4, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
+}
+
+void FlowBox::add_states(DecisionBox& of) {
+  auto* grid = static_cast<QGridLayout*>(layout());
+  grid->addWidget(of.states(), 1, 0, 1, 2);
+  grid->addWidget(&of.player(), 2, 0);
+  rest_->addWidget(of.player().rest(), 0, 0, 1, 2);
 }
 
 void FlowBox::step() {
@@ -144,7 +159,7 @@ void FlowBox::update_state() {
   if (!to_move.empty()) {
     target_->setText(labels::sentence(labels::holes(document_, loops_of(document_, to_move))));
   } else if (!chosen_patches(document_, selection_).empty()) {
-    target_->setText(tr("Accepted; open it again to go on."));
+    target_->setText(tr("Accepted; open it to go on."));
   } else {
     target_->setText(chosen ? tr("The selection is not filled yet.") : tr("Nothing is filled yet."));
   }

@@ -14,6 +14,7 @@ class QSlider;
 
 namespace loopmend {
 
+class DecisionBox;
 class QuietLabel;
 class HoleSelection;
 class FillController;
@@ -28,6 +29,10 @@ class FlowBox : public QGroupBox {
   void step();
   void run_or_pause();
   EvolutionOptions options() const;
+  /// What of it is chosen before a fill.
+  QWidget* options_widget() const { return options_; }
+  /// The recorded states and what plays them, under this box's title.
+  void add_states(DecisionBox& of);
   void update_state();
 
  Q_SIGNALS:
@@ -42,6 +47,8 @@ class FlowBox : public QGroupBox {
   const HoleSelection& selection_;
   FillController& controller_;
   QuietLabel* target_ = nullptr;
+  QWidget* options_ = nullptr;
+  QGridLayout* rest_ = nullptr;
   QLabel* sigma_value_ = nullptr;
   QuietLabel* help_ = nullptr;
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;

@@ -63,19 +63,23 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 8);
   layout->setSpacing(6);
-  layout->addWidget(build_filter());
   layout->addWidget(table_, 3);
   auto* below = new QHBoxLayout;
   below->addWidget(summary_, 1);
-  below->addWidget(all_);
+  below->addWidget(next_);
   layout->addWidget(new VerdictBox(document, selection), 1);
   layout->addLayout(below);
   auto* last = new QHBoxLayout;
-  last->addWidget(make_fold("fillBySize", tr("Fill by size, outer rims"), small_));
+  auto* rest = new QWidget;
+  auto* folded = make_layout<QVBoxLayout>(rest);
+  folded->addWidget(build_filter());
+  folded->addWidget(small_);
+  fold_ = make_fold("fillBySize", tr("Filter, fill by size"), rest);
+  last->addWidget(fold_);
   last->addStretch(1);
-  last->addWidget(next_);
+  last->addWidget(all_);
   layout->addLayout(last);
-  layout->addWidget(small_);
+  layout->addWidget(rest);
   const QMargins around = layout->contentsMargins();
   setMinimumWidth(small_->minimumSizeHint().width() + around.left() +
                   around.right());  // opened, it must not make the column wider
@@ -142,6 +146,7 @@ QWidget* HolesPanel::build_filter() {
 }
 
 void HolesPanel::focus_filter() {
+  fold_->setChecked(true);
   words_->setFocus(Qt::ShortcutFocusReason);
   words_->selectAll();
 }
@@ -158,7 +163,7 @@ void HolesPanel::build_table() {
   table_->setMouseTracking(true);
   table_->viewport()->installEventFilter(this);
   table_->installEventFilter(this);
-  constexpr int lowest = 72;  // the head and nearly two rows
+  constexpr int lowest = 76;  // the head and two rows
   table_->setMinimumHeight(lowest);
   table_->setShowGrid(false);
   table_->setWordWrap(false);

@@ -67,6 +67,7 @@ class HolesPanel : public QWidget {
   QLabel* summary_;
   QPushButton* all_;
   QPushButton* next_;
+  QToolButton* fold_ = nullptr;
   SmallHolesBox* small_;
   int lit_ = no_loop;     ///< its row is painted as the one under the mouse
   bool several_ = false;  ///< scans are open

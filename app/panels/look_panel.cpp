@@ -92,10 +92,14 @@ void LookPanel::build() {
   seams_ = new QCheckBox(tr("Boundaries and seams as lines"));
   explain(seams_, "showSeams", tr("Boundaries and seams"),
           tr("Draw the boundaries of holes and the seams of patches (M)"));
+  tint_ = new QCheckBox(tr("Tint on the patches"));
+  explain(tint_, "showTint", tr("Tint on the patches"),
+          tr("Draw patches greener than the scan, in every shading (Shift+T)"));
   auto* overlays = new QGroupBox(tr("Drawn over it"));
   auto* overlay_layout = new QVBoxLayout(overlays);
   overlay_layout->addWidget(edges_);
   overlay_layout->addWidget(seams_);
+  overlay_layout->addWidget(tint_);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 8);
@@ -111,7 +115,7 @@ void LookPanel::build() {
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LookPanel::change);
   for (QDoubleSpinBox* box : {percent_, half_width_})
     connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &LookPanel::change);
-  for (QCheckBox* box : {edges_, seams_}) connect(box, &QCheckBox::toggled, this, &LookPanel::change);
+  for (QCheckBox* box : {edges_, seams_, tint_}) connect(box, &QCheckBox::toggled, this, &LookPanel::change);
   connect(stripes_, &QSlider::valueChanged, this, &LookPanel::change);
 }
 
@@ -168,6 +172,7 @@ void LookPanel::show_look() {
   half_width_->setVisible(has_sign && own);
   edges_->setChecked(look_.edges == Edges::shown);
   seams_->setChecked(look_.seams == Seams::shown);
+  tint_->setChecked(look_.tint == Tint::patches);
   stripes_->setValue(look_.stripes);
   colors_->setVisible(colored);
   striped_->setVisible(look_.shading == Shading::zebra || look_.shading == Shading::isophotes);
@@ -186,6 +191,7 @@ void LookPanel::change() {
   look_.map = static_cast<ColorMap>(map_->currentData().toInt());
   look_.edges = edges_->isChecked() ? Edges::shown : Edges::hidden;
   look_.seams = seams_->isChecked() ? Seams::shown : Seams::hidden;
+  look_.tint = tint_->isChecked() ? Tint::patches : Tint::none;
   look_.stripes = stripes_->value();
   show_look();
   Q_EMIT look_changed(look_);

@@ -29,6 +29,7 @@ class LookPanel : public QWidget {
   void set_shading(Shading shading) { set(&Look::shading, shading); }
   void set_edges(Edges edges) { set(&Look::edges, edges); }
   void set_seams(Seams seams) { set(&Look::seams, seams); }
+  void set_tint(Tint tint) { set(&Look::tint, tint); }
   void set_color_map(ColorMap map) { set(&Look::map, map); }
   void set_up(UpAxis up) { set(&Look::up, up); }
   /// The half-width in force, to begin with when a range of one's own is wanted.
@@ -55,7 +56,7 @@ class LookPanel : public QWidget {
   bool syncing_ = false;
   QComboBox *shading_ = nullptr, *map_ = nullptr, *rule_ = nullptr;
   QDoubleSpinBox *percent_ = nullptr, *half_width_ = nullptr;
-  QCheckBox *edges_ = nullptr, *seams_ = nullptr;
+  QCheckBox *edges_ = nullptr, *seams_ = nullptr, *tint_ = nullptr;
   QSlider* stripes_ = nullptr;
   QWidget *colors_ = nullptr, *striped_ = nullptr;
   QLabel* help_ = nullptr;

@@ -5,6 +5,7 @@
 #include "panels/quiet_label.h"
 
 #include <QDialogButtonBox>
+#include <QMargins>
 #include <QSize>
 #include <QString>
 
@@ -13,6 +14,9 @@ class QToolButton;
 class QWidget;
 
 namespace loopmend {
+
+/// Within the frame of a box in a dock.
+inline constexpr QMargins box_margins{8, 4, 8, 6};
 
 /// A push button with a name for tests and a tooltip, which also serves as its description for screen readers.
 QPushButton* make_button(const char* name, const QString& text, const QString& help);

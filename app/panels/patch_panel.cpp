@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/patch_panel.h"
 
+#include "document/document.h"
 #include "document/hole_selection.h"
 #include "jobs/fill_controller.h"
 #include "panels/decision_box.h"
@@ -34,6 +35,7 @@ int width_with_folds(const QWidget& content) {
 PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection, FillController& controller,
                        QWidget* parent)
     : QWidget(parent),
+      document_(document),
       fill_(new FillBox(document, selection, controller)),
       flow_(new FlowBox(document, selection, controller)),
       decision_(new DecisionBox(document, selection, controller)) {
@@ -44,11 +46,13 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(8, 6, 8, 8);
-  layout->setSpacing(4);
+  layout->setContentsMargins(8, 2, 8, 2);
+  layout->setSpacing(2);
+  fill_->add_options(flow_->options_widget());
+  flow_->add_states(*decision_);
   layout->addWidget(fill_);
-  layout->addWidget(flow_);
   layout->addWidget(decision_);
+  layout->addWidget(flow_);
   layout->addStretch(1);
   scroll->setWidget(content);
   auto* whole = new QVBoxLayout(this);
@@ -72,7 +76,11 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   update_state();
 }
 
+/// What is of use for patches alone comes with the first one, below what is there already.
 void PatchPanel::update_state() {
+  const bool any = !document_.patches().empty();
+  decision_->setVisible(any);
+  flow_->setVisible(any);
   fill_->update_state();
   flow_->update_state();
   decision_->update_state();

@@ -31,6 +31,7 @@ class PatchPanel : public QWidget {
  private:
   void update_state();
 
+  const Document& document_;
   FillBox* fill_;
   FlowBox* flow_;
   DecisionBox* decision_;

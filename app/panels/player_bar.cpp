@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLocale>
 #include <QPushButton>
 #include <QSlider>
@@ -35,14 +36,14 @@ PlayerBar::PlayerBar(QSlider& timeline, QWidget* parent)
   explain(pace_, tr("Speed"), tr("How many recorded states are shown in a second"));
   again_->setObjectName(QStringLiteral("playAgain"));
   explain(again_, tr("Again and again"), tr("After the last state, go on with the first"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
+  make_layout<QHBoxLayout>(this)->addWidget(play_);
+  rest_ = new QWidget;
+  auto* grid = make_layout<QGridLayout>(rest_);
   grid->setHorizontalSpacing(10);
-  grid->setVerticalSpacing(6);
-  grid->addWidget(play_, 0, 0);
+  grid->setVerticalSpacing(4);
+  grid->addWidget(pace_, 0, 0);
   grid->addWidget(next_, 0, 1);
-  grid->addWidget(pace_, 1, 0);
-  grid->addWidget(again_, 1, 1);
+  grid->addWidget(again_, 1, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
   connect(play_, &QPushButton::clicked, this, &PlayerBar::play_or_pause);
@@ -52,6 +53,10 @@ PlayerBar::PlayerBar(QSlider& timeline, QWidget* parent)
   timeline_.installEventFilter(this);
   keep_pace();
   update_state();
+}
+
+void PlayerBar::add_to_rest(QWidget* widget) {
+  static_cast<QGridLayout*>(rest_->layout())->addWidget(widget, 2, 0, 1, 2);
 }
 
 bool PlayerBar::eventFilter(QObject* watched, QEvent* event) {

@@ -25,6 +25,9 @@ class PlayerBar : public QWidget {
   void pause();
   /// One state further; after the last one, the first.
   void next();
+  /// Speed, single states and more, for a place that is folded at first.
+  QWidget* rest() const { return rest_; }
+  void add_to_rest(QWidget* widget);
   /// Follows the slider: a disabled one cannot be played.
   void update_state();
 
@@ -39,6 +42,7 @@ class PlayerBar : public QWidget {
   QSlider& timeline_;
   QTimer timer_{this};
   QPushButton *play_ = nullptr, *next_ = nullptr;
+  QWidget* rest_ = nullptr;
   QComboBox* pace_ = nullptr;
   QCheckBox* again_ = nullptr;
 };

@@ -15,7 +15,7 @@
 namespace loopmend {
 namespace {
 
-constexpr int lines = 4, fewest_lines = 1;  ///< in a low window; more are reached by scrolling
+constexpr int lines = 6, fewest_lines = 5;  ///< in a low window; more are reached by scrolling
 constexpr int refresh_ms = 120;             ///< while a flow runs
 
 }  // namespace

@@ -30,6 +30,7 @@ struct Look {
   Shading shading = Shading::curvature;
   Edges edges = Edges::hidden;
   Seams seams = Seams::shown;
+  Tint tint = Tint::none;
   ColorMap map = ColorMap::blue_orange;
   ColorRange H, K;
   int stripes = 9;  ///< 3..40, of zebra and isophotes

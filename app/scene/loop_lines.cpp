@@ -26,6 +26,7 @@ Bytes core_color(LoopStyle style) {
     case LoopStyle::left_out: return {112, 116, 124};
     case LoopStyle::filled: return {30, 38, 48};
     case LoopStyle::failed: return {120, 20, 20};
+    case LoopStyle::judged: break;
   }
   return {0, 0, 0};
 }
@@ -37,7 +38,8 @@ void fill_lines(vtkPolyData* data, const std::vector<LoopLine>& lines, bool sele
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   for (const LoopLine& line : lines) {
-    if ((line.style == LoopStyle::selected) != selected || line.points.empty()) continue;
+    if ((line.style == LoopStyle::selected) != selected || line.points.empty() || line.style == LoopStyle::judged)
+      continue;
     const vtkIdType first = points->GetNumberOfPoints();
     const auto count = static_cast<vtkIdType>(line.points.size() / 3);
     for (vtkIdType i = 0; i < count; ++i) points->InsertNextPoint(line.points.data() + 3 * i);

@@ -15,7 +15,14 @@ class vtkRenderer;
 
 namespace loopmend {
 
-enum class LoopStyle { open, selected, left_out, filled, failed };
+enum class LoopStyle {
+  open,
+  selected,
+  left_out,
+  filled,
+  failed,
+  judged,  ///< no line: nothing lies over a seam that a person looks at
+};
 
 struct LoopLine {
   std::vector<float> points;  ///< 3 × #V, in the scene's frame; closed by itself

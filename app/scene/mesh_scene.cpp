@@ -60,6 +60,7 @@ struct MeshScene::Impl {
   LegendPlace legend_place = LegendPlace::over_the_picture;
   Shading shading = Shading::curvature;
   Edges edges = Edges::hidden;
+  Tint tint = Tint::none;
   int stripes = 9;
   vtkSmartPointer<vtkPlane> clipping;  ///< null: nothing is clipped
   int width = 1, height = 1, covered = 0;
@@ -98,6 +99,7 @@ struct MeshScene::Impl {
   void prepare(SurfaceActor& surface) {
     surface.set_shading(shading);
     surface.set_edges(edges);
+    surface.set_tint(tint);
     surface.set_stripes(stripes);
     surface.set_clipping(clipping);
   }
@@ -336,6 +338,12 @@ void MeshScene::set_edges(Edges edges) {
 void MeshScene::set_seams(Seams seams) {
   impl_->renderer->lines_changed();
   impl_->loops.set_visible(seams);
+}
+
+void MeshScene::set_tint(Tint tint) {
+  impl_->renderer->still_changed();
+  impl_->tint = tint;
+  impl_->each_surface([&](SurfaceActor& surface) { surface.set_tint(tint); });
 }
 
 void MeshScene::set_clipping(const std::optional<ClippingPlane>& plane) {

@@ -71,6 +71,7 @@ class MeshScene {
   void set_shading(Shading shading);
   void set_edges(Edges edges);
   void set_seams(Seams seams);
+  void set_tint(Tint tint);
   /// Cuts the surfaces open. Boundaries and seams stay whole, and are picked as before.
   void set_clipping(const std::optional<ClippingPlane>& plane);
   /// How many stripes zebra and isophotes have; 3..40.

@@ -31,5 +31,7 @@ inline bool has_stripes(Shading shading) { return shading == Shading::zebra || s
 
 enum class Edges { hidden, shown };
 enum class Seams { hidden, shown };
+/// Whether patches have a tint over whatever colours them, so that they are found.
+enum class Tint { none, patches };
 
 }  // namespace loopmend

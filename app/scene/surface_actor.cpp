@@ -91,6 +91,7 @@ constexpr const char* striped = R"(
   amount = mix(1.0, amount, 0.45);
 )";
 constexpr const char* ending = R"(
+  loopmendBase = mix(loopmendBase, vec3(0.25, 0.75, 0.30), loopmendTint);
   vec3 loopmendLit = gl_FrontFacing ? loopmendBase * amount + loopmendShine
                                     : mix(loopmendBase, vec3(0.60, 0.50, 0.45), 0.75) * amount;
   fragOutput0 = vec4(mix(loopmendLit, loopmendEdgeColor, loopmendEdge), 1.0);
@@ -197,6 +198,7 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   std::copy(edge_color.begin(), edge_color.end(), edge.begin());
   shader->GetFragmentCustomUniforms()->SetUniform3f("loopmendEdgeColor", edge.data());
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", 0);
+  shader->GetFragmentCustomUniforms()->SetUniformf("loopmendTint", 0);
   set_stripes(default_stripes);
 }
 
@@ -266,10 +268,11 @@ bool SurfaceActor::advance(Clock::time_point now) {
 }
 
 /// The rings around a patch continue its H and its reflections, but they are not the patch: where the scan's own colours stay,
-/// they go.
+/// or the patch has a tint, they go.
 void SurfaceActor::update_triangles() {
   const auto all = static_cast<vtkIdType>(shape_->triangles.size() / 3);
-  const vtkIdType shown = !is_drawn_over_the_scan(shading_) ? shape_->own_triangles : all;
+  const bool with_rings = is_drawn_over_the_scan(shading_) && tint_ == Tint::none;
+  const vtkIdType shown = with_rings ? all : shape_->own_triangles;
   // The same ones need not go to the graphics again.
   if (triangles_of_ && data_->GetNumberOfPolys() == shown && triangles_of_->triangles == shape_->triangles) return;
   data_->SetPolys(wrap_triangles(shape_->triangles, shown));
@@ -330,6 +333,14 @@ void SurfaceActor::set_shading(Shading shading) {
   if (shape_ && role_ == Role::patch) update_triangles();
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading));
   if (shape_ && other_scalars) update_scalars();
+}
+
+void SurfaceActor::set_tint(Tint tint) {
+  if (role_ != Role::patch || std::exchange(tint_, tint) == tint) return;
+  constexpr float strength = 0.4F;
+  actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("loopmendTint",
+                                                                        tint == Tint::patches ? strength : 0);
+  if (shape_) update_triangles();
 }
 
 void SurfaceActor::set_edges(Edges edges) { actor_->GetProperty()->SetEdgeVisibility(edges == Edges::shown); }

@@ -45,6 +45,8 @@ class SurfaceActor {
   bool advance(Clock::time_point now);
   void set_shading(Shading shading);
   void set_edges(Edges edges);
+  /// Does nothing to a scan.
+  void set_tint(Tint tint);
   /// What lies before the plane is not drawn; null: everything is.
   void set_clipping(vtkPlane* plane);
   /// How many stripes zebra and isophotes have; 3..40.
@@ -71,6 +73,7 @@ class SurfaceActor {
 
   Role role_;
   Shading shading_ = Shading::curvature;
+  Tint tint_ = Tint::none;
   SurfaceShapePtr shape_, triangles_of_;
   std::shared_ptr<const Picture> picture_;  ///< of the actor's texture
   std::unique_ptr<ShapeGlide> glide_;

@@ -92,6 +92,7 @@ void CandidatePictures::set(const Setting& setting) {
   scene.set_shading(setting.look.shading);
   scene.set_edges(Edges::hidden);
   scene.set_seams(setting.look.seams);
+  scene.set_tint(setting.look.tint);
   scene.set_color_map(setting.look.map);
   scene.set_stripes(setting.look.stripes);
   if (setting.half_width > 0) scene.set_range(setting.half_width);

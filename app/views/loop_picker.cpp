@@ -63,6 +63,33 @@ int LoopPicker::pick(double x, double y, double reach, const DepthAt& depth_at) 
   return best;
 }
 
+int LoopPicker::around(double x, double y, const std::function<bool(int loop)>& wanted, const DepthAt& depth_at) const {
+  const double depth = depth_at(static_cast<int>(x), static_cast<int>(y));
+  int best = -1;
+  double best_area = 0;
+  for (std::size_t l = 0; l < projected_.size(); ++l) {
+    const std::vector<Pixel>& loop = projected_[l];
+    double area = 0, nearest = 1, farthest = 0;
+    bool is_inside = false, is_before_eye = !loop.empty();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Pixel &a = loop[i], &b = loop[(i + 1) % loop.size()];
+      is_before_eye = is_before_eye && a.z() >= 0;
+      nearest = std::min(nearest, a.z());
+      farthest = std::max(farthest, a.z());
+      area += (a.x() * b.y() - b.x() * a.y()) / 2;
+      if ((a.y() > y) != (b.y() > y) && x < a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+        is_inside = !is_inside;
+    }
+    // A patch may bulge before its boundary, by about as much as that is deep.
+    constexpr double slack = 2e-4;
+    if (!is_before_eye || !is_inside || depth < nearest - (farthest - nearest) - slack) continue;
+    if ((best >= 0 && std::abs(area) >= best_area) || !wanted(static_cast<int>(l))) continue;
+    best_area = std::abs(area);
+    best = static_cast<int>(l);
+  }
+  return best;
+}
+
 bool LoopPicker::visible(const Pixel& at, const DepthAt& depth_at) const {
   // A boundary borders its hole, so the deepest pixel close by belongs to the boundary or lies behind it.
   constexpr int around = 3;

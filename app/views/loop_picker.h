@@ -22,6 +22,8 @@ class LoopPicker {
   using DepthAt = std::function<float(int x, int y)>;
   /// @returns the loop's index, or −1 when none passes within `reach` pixels.
   int pick(double x, double y, double reach, const DepthAt& depth_at) const;
+  /// @returns the smallest loop of `wanted` that runs round the pixel with nothing before it, or −1.
+  int around(double x, double y, const std::function<bool(int loop)>& wanted, const DepthAt& depth_at) const;
 
   /// A loop as it appears on the screen.
   const std::vector<Pixel>& projected(int loop) const;

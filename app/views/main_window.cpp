@@ -18,6 +18,7 @@
 #include "panels/status_line.h"
 #include "panels/welcome.h"
 #include "views/candidate_binder.h"
+#include "views/docks.h"
 #include "views/example_controller.h"
 #include "views/file_controller.h"
 #include "views/mesh_view.h"
@@ -75,7 +76,8 @@ MainWindow::MainWindow(QWidget* parent)
       autosave_(document_, undo_),
       check_(document_, controller_),
       sides_(document_, controller_),
-      actions_(new WindowActions(this)) {
+      actions_(new WindowActions(this)),
+      docks_(new Docks(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
   setAcceptDrops(true);
@@ -87,7 +89,7 @@ MainWindow::MainWindow(QWidget* parent)
   build_docks();
   files_->ask_for_results_of(tools_->trial());
   examples_ = new ExampleController({document_, selection_, controller_, *tools_, *compare_, *view_, *banner_}, this);
-  actions_->build_menus(dock_toggles_);
+  actions_->build_menus(docks_->toggles());
   actions_->build_toolbar();
   status_ = new StatusLine(document_, controller_, check_);
   statusBar()->setSizeGripEnabled(false);
@@ -108,6 +110,7 @@ MainWindow::MainWindow(QWidget* parent)
   welcome_->show_recent(recent_files());
   update_title();
   update_actions();
+  put_docks_away();
 }
 
 MainWindow::~MainWindow() {
@@ -160,12 +163,7 @@ void MainWindow::build_docks() {
   inspect_ = new InspectPanel(document_, selection_);
   tools_ = new ToolController(document_, visibility_, selection_, controller_, *view_, this);
   const auto dock = [this](const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
-    auto* made = new QDockWidget(title);
-    made->setObjectName(QLatin1String(name));
-    made->setWidget(content);
-    addDockWidget(area, made);
-    dock_toggles_ << made->toggleViewAction();
-    return made;
+    return docks_->add(name, title, content, area);
   };
   QDockWidget* holes = dock("holesDock", tr("Holes"), holes_, Qt::RightDockWidgetArea);
   QDockWidget* scene = dock("sceneDock", tr("Scene"), scene_, Qt::RightDockWidgetArea);
@@ -194,7 +192,7 @@ void MainWindow::build_docks() {
   connect(&patch_->decision_box(), &DecisionBox::seam_wanted, bottom,
           [bottom] { bottom->setVisible(bottom->isHidden()); });
   resizeDocks({holes}, {370}, Qt::Horizontal);
-  resizeDocks({holes, right}, {272, 498}, Qt::Vertical);
+  resizeDocks({holes, right}, {300, 470}, Qt::Vertical);
   resizeDocks({bottom}, {214}, Qt::Vertical);
 }
 
@@ -219,11 +217,13 @@ void MainWindow::connect_controller() {
   });
   connect(&controller_, &FillController::ghosts_changed, view_, &MeshView::show_ghosts);
   connect(&controller_, &FillController::activity_changed, this, &MainWindow::update_actions);
+  connect(&controller_, &FillController::activity_changed, this, &MainWindow::put_docks_away);
   const ViewSource view = [this] { return SessionView{view_->viewpoint(), look_->look()}; };
   controller_.set_view_source(view);
   autosave_.set_view_source(view);
   connect(&controller_, &FillController::view_restored, this, [this](const SessionView& seen) {
     Look look = seen.look;
+    look.tint = look_->look().tint;  // no session keeps it
     if (look.shading == Shading::scan && !has_scan_colors_) look.shading = Shading::curvature;
     look_->set_look(look);
     view_->set_viewpoint(seen.from);
@@ -384,8 +384,12 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::show_centre() {
   welcome_->setVisible(!document_.has_scan());
+  put_docks_away();
   centre_->setCurrentWidget(document_.has_scan() ? static_cast<QWidget*>(view_) : welcome_);
 }
+
+/// While a first scan is read its progress is seen, and can be cancelled.
+void MainWindow::put_docks_away() { docks_->put_away(!document_.has_scan() && !controller_.busy()); }
 
 void MainWindow::follow_scan_colors() {
   const std::vector<int> scans = document_.scans();
@@ -416,7 +420,7 @@ void MainWindow::open_sample() { files_->open_sample(); }
 void MainWindow::restore_layout() {
   const WindowLayout layout = load_window_layout();
   if (restoreGeometry(layout.geometry)) move_onto_screen();
-  restoreState(layout.docks);
+  docks_->restore(layout.docks);
   Look look = load_look();
   look.map = look_->look().map;
   look_->set_look(look);
@@ -438,7 +442,7 @@ void MainWindow::move_onto_screen() {
 }
 
 void MainWindow::keep_layout() const {
-  save_window_layout({saveGeometry(), saveState()});
+  save_window_layout({saveGeometry(), docks_->state()});
   save_look(look_->look());
 }
 

@@ -24,6 +24,7 @@ class Banner;
 class CandidateBinder;
 class CandidatesPanel;
 class CompareController;
+class Docks;
 class ExampleController;
 class FileController;
 class HolesPanel;
@@ -109,6 +110,7 @@ class MainWindow : public QMainWindow {
   void update_title();
   void move_onto_screen();
   void show_centre();
+  void put_docks_away();
 
   Document document_;
   SceneVisibility visibility_;
@@ -122,6 +124,7 @@ class MainWindow : public QMainWindow {
   BatchController batch_;
   QString to_be_pictured_;  ///< the file that was opened or saved last
   WindowActions* actions_;
+  Docks* docks_;
   MeshView* view_ = nullptr;
   Welcome* welcome_ = nullptr;
   Banner* banner_ = nullptr;
@@ -141,7 +144,6 @@ class MainWindow : public QMainWindow {
   ReportWriter* report_ = nullptr;
   ToolController* tools_ = nullptr;
   QStackedLayout* centre_ = nullptr;
-  QList<QAction*> dock_toggles_;
 };
 
 }  // namespace loopmend

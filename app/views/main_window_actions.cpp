@@ -28,6 +28,7 @@
 #include "panels/small_holes_box.h"
 #include "panels/theme.h"
 #include "panels/welcome.h"
+#include "views/docks.h"
 #include "views/file_controller.h"
 #include "views/film_source.h"
 #include "views/mesh_view.h"
@@ -100,7 +101,7 @@ void MainWindow::connect_file_actions() {
   a.on("palette", this, [this] {
     std::vector<CommandPalette::Group> groups;
     for (const WindowActions::Group& group : actions_->groups()) groups.push_back({group.title, group.actions});
-    groups.push_back({tr("View"), dock_toggles_});
+    groups.push_back({tr("View"), docks_->toggles()});
     show_beside<CommandPalette>(this, groups);
   });
   a.on("about", this, [this] { show_beside<About>(this); });
@@ -115,6 +116,7 @@ void MainWindow::connect_view_actions() {
   a.on("wireframe", this, [this](bool on) { look_->set_edges(on ? Edges::shown : Edges::hidden); });
   a.on("clip", &look_->clipping(), &ClippingBox::toggle);
   a.on("seams", this, [this](bool on) { look_->set_seams(on ? Seams::shown : Seams::hidden); });
+  a.on("tint", this, [this](bool on) { look_->set_tint(on ? Tint::patches : Tint::none); });
   a.on("frame", view_, &MeshView::frame);
   a.on("orthographic", this, [this](bool on) {
     view_->set_projection(on ? MeshView::Projection::orthographic : MeshView::Projection::perspective);
@@ -262,7 +264,7 @@ void MainWindow::ask_about(const RepairQuestion& question) {
     costs
         << tr("The scan would have %L1 boundary loops in place of %L2.").arg(question.loops).arg(question.loops_before);
   dialog->setText(costs.join(QLatin1Char('\n')));
-  dialog->setInformativeText(question.done);
+  dialog->setInformativeText(tr("What it does: %1").arg(question.done));
   QPushButton* apply = dialog->addButton(tr("&Apply"), QMessageBox::AcceptRole);
   apply->setObjectName(QStringLiteral("repairApply"));
   QPushButton* keep = dialog->addButton(tr("&Leave it as it is"), QMessageBox::RejectRole);
@@ -302,7 +304,7 @@ void MainWindow::update_actions() {
   for (QAction* action : a.all("export saveSession saveSessionAs")) action->setEnabled(idle && scan);
   for (QAction* action : a.all("add compare toolRegionAction toolPointsAction toolBlendAction toolBridgeAction "
                                "toolFillPartAction toolEdgesAction toolMirrorAction toolMeasureAction clip screenshot "
-                               "frame orthographic hidePiece isolatePiece probe wireframe seams selectAll nextHole "
+                               "frame orthographic hidePiece isolatePiece probe wireframe seams tint selectAll nextHole "
                                "previousHole curvature gaussian plain zebra isophotes"))
     action->setEnabled(scan);
   a["film"]->setEnabled(idle && has_film(document_, chosen_patches(document_, selection_)));
@@ -345,6 +347,7 @@ void MainWindow::update_actions() {
     if (up == look.up) a[name]->setChecked(true);
   a["wireframe"]->setChecked(look.edges == Edges::shown);
   a["seams"]->setChecked(look.seams == Seams::shown);
+  a["tint"]->setChecked(look.tint == Tint::patches);
   holes_->small_holes().set_use(idle ? SmallHolesBox::Use::possible : SmallHolesBox::Use::busy);
 }
 
@@ -367,7 +370,8 @@ void MainWindow::ask_preferences() {
 
 void MainWindow::show_repair_dialog() {
   if (auto* open = findChild<RepairDialog*>()) return open->raise();
-  const auto* dialog = show_beside<RepairDialog>(this, document_, controller_);
+  auto* dialog = show_beside<RepairDialog>(this, document_, controller_);
+  dialog->move(mapToGlobal(QPoint(width() - dialog->width() - 8, 96)));  // what it shows in the view is seen
   connect(dialog, &RepairDialog::marked, view_, &MeshView::show_marked);
   connect(dialog, &RepairDialog::place_wanted, view_,
           [this](const DefectPlace& place) { view_->fly_to_place(place.center, place.radius, place.direction); });

@@ -191,6 +191,7 @@ void MeshView::set_look(const Look& look) {
   if (look.shading != old.shading) scene.set_shading(look.shading);
   if (look.edges != old.edges) scene.set_edges(look.edges);
   if (look.seams != old.seams) scene.set_seams(look.seams);
+  if (look.tint != old.tint) scene.set_tint(look.tint);
   if (look.map != old.map) scene.set_color_map(look.map);
   if (look.stripes != old.stripes) scene.set_stripes(look.stripes);
   if (look.up != old.up) face_front();
@@ -457,8 +458,10 @@ void MeshView::on_patch_moved(int id) {
 bool MeshView::update_loops() {
   const Document& document = impl_->document;
   std::vector<LoopStyle> styles;
-  for (int loop = 0; loop < document.loop_count(); ++loop)
-    styles.push_back(impl_->selection.selected().contains(loop) ? LoopStyle::selected : style_of(document.state(loop)));
+  for (int loop = 0; loop < document.loop_count(); ++loop) {
+    const LoopStyle chosen = document.patch_of(loop) ? LoopStyle::judged : LoopStyle::selected;
+    styles.push_back(impl_->selection.selected().contains(loop) ? chosen : style_of(document.state(loop)));
+  }
   if (styles == impl_->loop_styles) return false;
   impl_->loop_styles = styles;
   std::vector<LoopLine> lines;
@@ -489,7 +492,7 @@ void MeshView::update_highlight() {
                                 tr("%1 %2 \u00b7 %3 edges \u00b7 %4 across \u00b7 %5")
                                     .arg(kind, labels::hole_name(document, loop))
                                     .arg(l.edges())
-                                    .arg(labels::length(document, l.diameter), labels::state(document.state(loop))));
+                                    .arg(labels::length(document, l.diameter), labels::verdict_or_state(document, loop)));
 }
 
 }  // namespace loopmend

@@ -164,6 +164,7 @@ class MeshView : public QWidget {
   bool slide_by_key(int key);
   void move_by_key(int key, Qt::KeyboardModifiers modifiers);
   int loop_at(const QPoint& at);
+  int loop_around(const QPoint& at);
   void face_front();
   /// Frames the scene again unless it was turned since: the room for it is another.
   void frame_if_untouched();

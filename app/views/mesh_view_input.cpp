@@ -58,7 +58,9 @@ bool MeshView::eventFilter(QObject* watched, QEvent* event) {
 
 void MeshView::ask_for_menu(const QPoint& at) {
   const QPoint on_screen = impl_->canvas->mapToGlobal(at);
-  if (const int loop = loop_at(at); loop != no_loop) {
+  int loop = loop_at(at);
+  if (loop == no_loop) loop = loop_around(at);
+  if (loop != no_loop) {
     if (!impl_->selection.selected().contains(loop)) impl_->selection.select({loop});
     Q_EMIT hole_menu_wanted(on_screen);
   } else if (const auto place = place_at(at)) {
@@ -118,6 +120,19 @@ int MeshView::loop_at(const QPoint& at) {
   const double ratio = impl_->canvas->devicePixelRatioF();
   const int loop = impl_->picker.pick((at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio, pick_reach * ratio,
                                       [this](int x, int y) { return impl_->depth_at(x, y); });
+  return loop < 0 ? no_loop : loop;
+}
+
+/// A hole or a patch, not the outline of what lies there.
+int MeshView::loop_around(const QPoint& at) {
+  if (!impl_->document.has_scan() || impl_->picker.count() == 0) return no_loop;
+  const double ratio = impl_->canvas->devicePixelRatioF();
+  const auto is_hole = [this](int loop) {
+    const Document& document = impl_->document;
+    return impl_->shows(loop) && (document.patch_of(loop) || document.loop(loop).kind == LoopKind::hole);
+  };
+  const int loop = impl_->picker.around((at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio, is_hole,
+                                        [this](int x, int y) { return impl_->depth_at(x, y); });
   return loop < 0 ? no_loop : loop;
 }
 

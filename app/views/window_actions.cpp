@@ -86,6 +86,8 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
       {"wireframe", QT_TR_NOOP("&Wireframe"), QT_TR_NOOP("Draw the triangles' edges"), "W", "wireframe", Spec::toggle},
       {"seams", QT_TR_NOOP("&Boundaries and seams"), QT_TR_NOOP("Draw boundaries and seams as lines"), "M", "seams",
        Spec::toggle},
+      {"tint", QT_TR_NOOP("&Tint on the patches"), QT_TR_NOOP("Draw patches greener than the scan, in every shading"),
+       "Shift+T", nullptr, Spec::toggle},
       {"frame", QT_TR_NOOP("&Frame everything"), QT_TR_NOOP("See the whole scene"), "F", "frame"},
       {"orthographic", QT_TR_NOOP("&Orthographic"), QT_TR_NOOP("Without perspective: what is parallel stays so"), "O",
        nullptr, Spec::toggle},
@@ -240,7 +242,7 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   file->insertMenu((*this)["quit"], close_);
   add_menu(tr("&Edit"), "undo redo - selectAll nextHole previousHole nextToLookAt filter - preferences");
   QMenu* view = add_menu(tr("&View"),
-                         "curvature gaussian plain zebra isophotes scanColors deviation - wireframe seams - frame "
+                         "curvature gaussian plain zebra isophotes scanColors deviation - wireframe seams tint - frame "
                          "lookFront lookBack lookLeft lookRight lookTop lookBottom orthographic clip - "
                          "hidePiece isolatePiece showPieces - probe -");
   view->addActions(docks);

@@ -99,6 +99,7 @@ class AskingTest : public QObject {
 void AskingTest::the_wheel_scrolls_panels_at_once() {
   Shown window({write_sheet_with_holes(folder_.filePath(QStringLiteral("sheet.ply")), 6)});
   window.resize(1300, 600);
+  QVERIFY(press_and_wait(window, "fill"));
   window.tools().take(Tool::blend);
   for (const auto& [dock, panel] : {std::pair{"toolsDock", "toolsPanel"}, {"patchDock", "patchPanel"}}) {
     window.findChild<QDockWidget*>(QLatin1String(dock))->raise();
@@ -117,11 +118,14 @@ void AskingTest::the_wheel_scrolls_panels_at_once() {
 
 void AskingTest::what_decides_on_a_patch_is_seen_at_once() {
   Shown window({sample_file(folder_)}, Shown::Extent::usual);
-  window.resize(1360, 860);
-  settle();
-  for (const char* name : {"accept", "reject", "otherPatches"}) {
-    auto* button = window.findChild<QWidget*>(QLatin1String(name));
-    QVERIFY2(button->visibleRegion().contains(button->rect().center()), name);
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  for (const QSize size : {QSize(1360, 860), QSize(1260, 680)}) {
+    window.resize(size);
+    settle();
+    for (const char* name : {"accept", "reject", "otherPatches"}) {
+      auto* button = window.findChild<QWidget*>(QLatin1String(name));
+      QVERIFY2(button->visibleRegion().contains(button->rect().adjusted(1, 1, -1, -1)), name);
+    }
   }
 }
 

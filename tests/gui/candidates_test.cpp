@@ -19,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <set>
 
 using namespace loopmend;
@@ -113,6 +114,13 @@ void CandidatesTest::cards_show_pictures_and_the_view_shows_the_one_under_the_mo
     const QImage& picture = panel->card(candidate.kind)->picture();
     QCOMPARE(picture.size(), panel->card(candidate.kind)->picture_size());
     QVERIFY(!is_of_one_colour(picture));
+    // The verdict and the figures, as the table has them: a flat patch has an edge at the seam on purpose.
+    const QString words = panel->card(candidate.kind)->accessibleName();
+    const auto& crease = candidate.patches.front().state->verdicts.front().crease_deg;
+    const QString figure =
+        crease ? QStringLiteral("crease %1\u00b0").arg(std::lround(*crease)) : QStringLiteral("an edge at the seam");
+    QVERIFY2(words.contains(figure), qPrintable(words));
+    QCOMPARE(crease.has_value(), candidate.kind != CandidateKind::flat);
   }
   QVERIFY(share_changed(panel->card(CandidateKind::automatic)->picture(), panel->card(CandidateKind::flat)->picture()) >
           0.02);

@@ -5,6 +5,7 @@
 #include "test_main.h"
 
 #include "dialogs/help_window.h"
+#include "document/hole_table.h"
 #include "dialogs/picture_dialog.h"
 #include "document/language.h"
 #include "io/write_mesh.h"
@@ -237,6 +238,13 @@ void FeatureTest::filter_and_groups() {
   QCOMPARE(rows(), 1);
   QVERIFY2(window.selection().selected() == std::set<int>{hole}, "narrowing the table must not change the selection");
   part<QComboBox>(window, "holesGroup")->setCurrentIndex(0);
+  // A click on State brings to the top what is to be done, and leaves for the end what is left out.
+  auto* table = part<QTableView>(window, "holesTable");
+  table->sortByColumn(HoleTable::state, Qt::AscendingOrder);
+  const auto states = [&](int row) { return table->model()->index(row, HoleTable::state).data().toString(); };
+  QCOMPARE(states(0), QStringLiteral("open"));
+  QCOMPARE(states(all - 2), QStringLiteral("filled"));
+  QCOMPARE(states(all - 1), QStringLiteral("outer rim"));
   // The rule about outer rims can be seen and changed.
   auto* boundaries = part<QCheckBox>(window, "includeRims");
   const int before = open_holes(window.document());
@@ -252,6 +260,7 @@ void FeatureTest::help_is_complete() {
   for (int row = 0; row < pages->count(); ++row) {
     pages->setCurrentRow(row);
     QVERIFY2(help.shown_text().size() > 200, qPrintable(pages->item(row)->text()));
+    QVERIFY(!help.shown_text().contains(QStringLiteral("never changed")));  // Trim, Stitch and Repair do change a scan
   }
 }
 

@@ -249,6 +249,8 @@ void RepairTest::defects_are_marked_in_the_view() {
   QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("showDuplicate"))->isEnabled());
   fix(dialog, "showFragments");
   QVERIFY(wait_until(is_red_in_the_middle));
+  const QWidget* canvas = window.view().canvas();
+  QVERIFY(!dialog->frameGeometry().contains(canvas->mapToGlobal(canvas->rect().center())));  // and it is seen
   const QString said = dialog->findChild<QLabel*>(QStringLiteral("repairSummary"))->text();
   QVERIFY2(said.contains(QStringLiteral("Faces: 1, places: 1.")), qPrintable(said));
   fix(dialog, "fixFragments");
@@ -475,8 +477,12 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   key(window, Qt::Key_L);
   QCOMPARE(window.selection().selected(), std::set<int>{0});
   window.selection().select({});
+  trigger(window, "lookBottom");
   press(window, "nextToLookAtButton");
   QCOMPARE(window.selection().selected(), std::set<int>{0});
+  QVERIFY(wait_until([&] { return !window.view().is_flying(); }));
+  const BoundaryLoop& boundary_loop = window.document().loop(0);
+  QVERIFY((window.view().viewpoint().focus - boundary_loop.center).norm() < boundary_loop.diameter / 4);  // it flew there
   window.selection().select({});
   the_report_begins_with(window, 0);
   // The flat cap that is made by default is marked by nothing.

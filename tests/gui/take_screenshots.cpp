@@ -108,10 +108,12 @@ void show_story(MainWindow& window, const QString& file) {
   while (window.undo().can_undo()) window.undo().undo();
   press_and_wait(window, "fillAndSmooth", 300);
   window.selection().select({hole});
-  part<QToolButton>(window, "moreOfFlow")->setChecked(false);
-  part<QPushButton>(window, "fillAndSmooth");  // scrolls to it
-  linger(200);
+  for (const char* fold : {"moreOfFill", "moreOfFlow"}) part<QToolButton>(window, fold)->setChecked(false);
+  window.view().fly_to(hole);
+  key(window, Qt::Key_T, Qt::ShiftModifier);  // no line shows where the patch is
+  linger(1000);
   shoot(window, "window");
+  key(window, Qt::Key_T, Qt::ShiftModifier);
   shoot_part(window, part<QDockWidget>(window, "holesDock"), "holes");
   auto* patch = part<QDockWidget>(window, "patchDock");
   for (QScrollArea* area : patch->findChildren<QScrollArea*>()) area->verticalScrollBar()->setValue(0);

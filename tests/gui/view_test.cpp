@@ -83,6 +83,8 @@ class ViewTest : public QObject {
   void frame_keeps_clear_of_the_legend();
   void each_scan_may_have_its_own_range();
   void a_filled_hole_comes_into_view();
+  void patches_may_have_a_tint();
+  void no_line_lies_over_the_seam_that_is_judged();
   void a_distance_is_measured();
   void a_plane_cuts_the_picture_open();
   void a_large_scan_is_reduced_at_first();
@@ -111,6 +113,58 @@ void ViewTest::a_filled_hole_comes_into_view() {
   const Viewpoint above = window.view().viewpoint();
   const Viewpoint stayed = fill_from(NamedView::front);
   QVERIFY(near(stayed.eye, above.eye) && near(stayed.focus, above.focus));
+}
+
+/// In every shading, and the scan around them stays as it is.
+void ViewTest::patches_may_have_a_tint() {
+  Shown window({file("ball.ply", cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; }))});
+  window.view().look_from(NamedView::front);
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  key(window, Qt::Key_M);  // the lines are no part of this
+  for (const Qt::Key shading : {Qt::Key_1, Qt::Key_3, Qt::Key_4}) {
+    key(window, shading);
+    settle();
+    const QImage before = window.view().picture();
+    key(window, Qt::Key_T, Qt::ShiftModifier);
+    QVERIFY(picture_changes(window, before, 0.005));
+    const QImage tinted = window.view().picture();
+    const QPoint middle = before.rect().center(), beside(middle.x(), middle.y() + before.height() / 4);
+    const QColor was = before.pixelColor(middle), now = tinted.pixelColor(middle);
+    QVERIFY2(now.green() - now.red() > was.green() - was.red() + 20, qPrintable(was.name() + now.name()));
+    QCOMPARE(tinted.pixelColor(beside), before.pixelColor(beside));
+    key(window, Qt::Key_T, Qt::ShiftModifier);
+    QVERIFY(picture_returns(window, before));
+  }
+  key(window, Qt::Key_T, Qt::ShiftModifier);
+  QVERIFY(load_look().tint == Tint::none);
+  window.keep_layout();
+  QVERIFY(load_look().tint == Tint::patches);
+  save_look({});
+}
+
+/// Of an open hole that is selected the line stays, and goes when it is filled.
+void ViewTest::no_line_lies_over_the_seam_that_is_judged() {
+  Shown window({file("seam.ply", cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; }))});
+  window.view().look_from(NamedView::front);
+  window.selection().select({0});
+  settle();
+  const auto lines = [&] {
+    QTest::mouseMove(window.view().canvas(), QPoint(3, 3));
+    settle();
+    const QImage with = window.view().picture();
+    key(window, Qt::Key_M);
+    settle();
+    const double share = share_changed(with, window.view().picture());
+    key(window, Qt::Key_M);
+    settle();
+    return share;
+  };
+  QVERIFY(lines() > 0.002);
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  QCOMPARE(window.selection().selected(), std::set<int>{0});
+  QCOMPARE(lines(), 0.0);
+  window.selection().select({});
+  QVERIFY(lines() > 0.002);  // others may be found by theirs
 }
 
 void ViewTest::the_picture_is_moved_and_asked_by_keys() {

@@ -7,6 +7,7 @@
 #include "io/write_mesh.h"
 #include "panels/banner.h"
 #include "samples/sample_scan.h"
+#include "views/file_controller.h"
 
 #include <QAction>
 #include <QApplication>
@@ -42,6 +43,8 @@ class WindowTest : public QObject {
   void draws_something_real();
   void the_view_has_most_of_the_window_data();
   void the_view_has_most_of_the_window();
+  void the_start_page_has_no_dead_controls();
+  void the_panel_has_what_the_step_needs();
   void counts_in_english();
   void whole_story_on_the_sample();
   void whole_story_on_the_bunny();
@@ -109,6 +112,83 @@ void WindowTest::the_view_has_most_of_the_window() {
   const double seen =
       static_cast<double>(view.width()) * view.height() / (static_cast<double>(size.width()) * size.height());
   QVERIFY2(seen >= share, qPrintable(QStringLiteral("%1 x %2: %3").arg(view.width()).arg(view.height()).arg(seen)));
+}
+
+/// Buttons, lists, fields and tables, wherever they are.
+QList<QWidget*> seen_controls(QWidget& in) {
+  QList<QWidget*> seen;
+  for (QWidget* widget : in.findChildren<QWidget*>()) {
+    const bool is_control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox") ||
+                            widget->inherits("QAbstractSpinBox") || widget->inherits("QAbstractSlider") ||
+                            widget->inherits("QAbstractItemView") || widget->inherits("QLineEdit");
+    const bool is_inner = widget->objectName().isEmpty() || widget->objectName().startsWith(QStringLiteral("qt_")) ||
+                          widget->inherits("QScrollBar");
+    if (is_control && !is_inner && widget->isVisible()) seen << widget;
+  }
+  return seen;
+}
+
+void WindowTest::the_start_page_has_no_dead_controls() {
+  Shown window;
+  const auto dead = [&] {
+    settle();
+    QStringList names;
+    for (const QWidget* widget : seen_controls(window))
+      if (!widget->isEnabled()) names << widget->objectName();
+    return names.join(QLatin1Char(' '));
+  };
+  QCOMPARE(dead(), QString());
+  QVERIFY(seen_controls(window).size() >= 2);  // Open, and the sample
+  const auto* holes = window.findChild<QWidget*>(QStringLiteral("holesTable"));
+  const auto* patch = window.findChild<QWidget*>(QStringLiteral("fillAndSmooth"));
+  QVERIFY(!holes->isVisible() && !patch->isVisible());
+  window.open(sample_);
+  QVERIFY(wait_idle(window));
+  settle();
+  QVERIFY(holes->isVisible() && patch->isVisible() && patch->isEnabled());
+  const QSize size = window.view().size();
+  window.findChild<FileController*>()->close_scan(window.document().scans().front());
+  QCOMPARE(dead(), QString());
+  QVERIFY(!holes->isVisible());
+  window.open(sample_);
+  QVERIFY(wait_idle(window));
+  settle();
+  QCOMPARE(window.view().size(), size);  // the docks lie as before
+}
+
+/// At first what fills, then what judges; nothing is in need of scrolling.
+void WindowTest::the_panel_has_what_the_step_needs() {
+  Shown window({sample_}, Shown::Extent::usual);
+  window.resize(1360, 860);
+  settle();
+  auto* panel = window.findChild<QWidget*>(QStringLiteral("patchPanel"));
+  const auto names = [&] {
+    QStringList all;
+    for (const QWidget* widget : seen_controls(*panel))
+      if (widget->visibleRegion().contains(widget->rect().center())) all << widget->objectName();
+    return all.join(QLatin1Char(' '));
+  };
+  const QString before = names();
+  QVERIFY2(before.count(QLatin1Char(' ')) < 7, qPrintable(before));
+  QVERIFY2(before.contains(QStringLiteral("fillAndSmooth")) && !before.contains(QStringLiteral("accept")),
+           qPrintable(before));
+  const auto* table = window.findChild<QTableView*>(QStringLiteral("holesTable"));
+  QVERIFY(table->viewport()->height() >= 3 * table->rowHeight(0));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  settle();
+  for (const QSize size : {QSize(1360, 860), QSize(1260, 680)}) {
+    window.resize(size);
+    settle();
+    const QString after = names();
+    QVERIFY2(after.count(QLatin1Char(' ')) < 14, qPrintable(after));
+    for (const char* name : {"fillAndSmooth", "repair", "accept", "reject", "otherPatches", "showSeam"})
+      QVERIFY2(after.contains(QLatin1String(name)), qPrintable(after));
+    if (size.height() > 800)
+      for (const char* name : {"timeline", "play", "run"}) QVERIFY2(after.contains(QLatin1String(name)), qPrintable(after));
+    QVERIFY(table->viewport()->height() >= 2 * table->rowHeight(0));
+  }
+  window.undo().undo();
+  QVERIFY(!names().contains(QStringLiteral("accept")));
 }
 
 void WindowTest::whole_story_on_the_sample() { whole_story(sample_); }

@@ -287,9 +287,24 @@ void WordsTest::a_right_click_on_a_hole_offers_what_applies() {
   QVERIFY(is_offered("fillAction") && is_offered("trimAction"));
   QVERIFY(!is_offered("acceptAction"));
   menu->close();
+  // Within it just so, open and filled.
+  QPointF middle;
+  const int edges = window.document().loop(hole).edges();
+  for (int v = 0; v < edges; ++v) middle += QPointF(window.view().position_of(hole, v)) / edges;
+  const auto offered_within = [&] {
+    window.selection().select({});
+    QVERIFY(wait_until([&] { return open_menu() == nullptr; }));
+    QTest::mouseClick(window.view().canvas(), Qt::RightButton, {}, middle.toPoint());
+    QVERIFY(wait_until([&] { return open_menu() != nullptr; }));
+    QCOMPARE(window.selection().selected(), std::set<int>{hole});
+    open_menu()->close();
+  };
+  offered_within();
   trigger(window, "initialAction");
   QVERIFY(wait_idle(window));
   QVERIFY(part<QAction>(window, "acceptAction")->isEnabled());
+  settle();
+  offered_within();
   // The same menu in the table; the header keeps the columns.
   auto* table = part<QTableView>(window, "holesTable");
   Q_EMIT table->customContextMenuRequested(table->visualRect(table->model()->index(0, 1)).center());
