@@ -79,6 +79,20 @@ Look comparable(Look look) {
   return look;
 }
 
+/// They stay where they are, whatever the flows do.
+std::vector<LoopLine> seams_of(const ComparedRun& start) {
+  std::vector<LoopLine> lines;
+  for (const std::vector<int>& loop : start.patch.loops) {
+    LoopLine line{{}, LoopStyle::filled};
+    for (const int v : loop) {
+      const auto first = start.shape->points.begin() + 3 * v;
+      line.points.insert(line.points.end(), first, first + 3);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 }  // namespace
 
 CompareWindow::CompareWindow(ComparisonController& flow_comparison, CompareTask task, const Look& look, QWidget* parent)
@@ -158,6 +172,8 @@ QWidget* CompareWindow::build_look_bar() {
   build_from();
   edges_ = make_option<QCheckBox>("compareEdges", tr("&Wireframe"), tr("Draw the triangles' edges"));
   edges_->setChecked(look_.edges == Edges::shown);
+  seams_ = make_option<QCheckBox>("compareSeams", tr("Seam lines"), tr("Draw the boundary between patch and scan"));
+  seams_->setChecked(look_.seams == Seams::shown);
   own_range_ = new QCheckBox(tr("C&olours \u00b1"));
   explain(own_range_, "compareOwnRange", tr("Own range of colours"),
           tr("A colour range of your own, instead of that of the neighborhood"));
@@ -180,7 +196,7 @@ QWidget* CompareWindow::build_look_bar() {
   auto* bar = new QWidget;
   auto* row = make_layout<QHBoxLayout>(bar);
   row->setSpacing(8);
-  for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, own_range_, half_width_, divider(),
+  for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, seams_, own_range_, half_width_, divider(),
                                                        linked_, framing, divider(), wiping_, left_, right_})
     row->addWidget(part);
   row->addStretch(1);
@@ -218,7 +234,7 @@ void CompareWindow::wire() {
   connect(sigma_, &QSlider::valueChanged, this, &CompareWindow::update_use);
   connect(shading_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &CompareWindow::apply_look);
   connect(from_, QOverload<int>::of(&QComboBox::activated), this, &CompareWindow::choose_from);
-  connect(edges_, &QCheckBox::toggled, this, &CompareWindow::apply_look);
+  for (QCheckBox* box : {edges_, seams_}) connect(box, &QCheckBox::toggled, this, &CompareWindow::apply_look);
   connect(own_range_, &QCheckBox::toggled, this, &CompareWindow::update_range);
   connect(half_width_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
     if (own_range_->isChecked()) update_range();
@@ -329,7 +345,11 @@ void CompareWindow::update_all() {
     right_->setCurrentIndex(old_right < 0 ? right_->count() - 1 : std::min(old_right, right_->count() - 1));
   }
   if (there) {
-    for (FlowCanvas* canvas : canvases()) canvas->set_neighborhood(flow_comparison_.neighborhood());
+    const std::vector<LoopLine> seams = seams_of(*flow_comparison_.start());
+    for (FlowCanvas* canvas : canvases()) {
+      canvas->set_neighborhood(flow_comparison_.neighborhood());
+      canvas->set_seams(seams);
+    }
     for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run) {
       flow_views_[flow_run]->show_flow(flow_comparison_.flow(flow_run));
       flow_views_[flow_run]->show_flow_run(*flow_comparison_.flow_run(flow_run), task_.accept_help);
@@ -400,6 +420,7 @@ void CompareWindow::update_range() {
 void CompareWindow::apply_look() {
   look_.shading = static_cast<Shading>(shading_->currentData().toInt());
   look_.edges = edges_->isChecked() ? Edges::shown : Edges::hidden;
+  look_.seams = seams_->isChecked() ? Seams::shown : Seams::hidden;
   if (sender() == shading_) own_range_->setChecked(false);  // H and K do not share their numbers
   measure();
   update_range();

@@ -109,7 +109,7 @@ class CompareWindow : public QWidget {
             *right_ = nullptr;
   QSlider *sigma_ = nullptr, *stripes_ = nullptr;
   QLabel *sigma_value_ = nullptr, *wait_ = nullptr;
-  QCheckBox *edges_ = nullptr, *linked_ = nullptr, *wiping_ = nullptr, *own_range_ = nullptr;
+  QCheckBox *edges_ = nullptr, *seams_ = nullptr, *linked_ = nullptr, *wiping_ = nullptr, *own_range_ = nullptr;
   QDoubleSpinBox* half_width_ = nullptr;
 };
 

@@ -127,6 +127,11 @@ void FlowCanvas::set_neighborhood(SurfaceShapePtr shape) {
   redraw();
 }
 
+void FlowCanvas::set_seams(const std::vector<LoopLine>& lines) {
+  for (auto& scene : impl_->scenes) scene->set_loops(lines);
+  redraw();
+}
+
 void FlowCanvas::show_patch(int side, SurfaceShapePtr shape, Arrival arrival) {
   MeshScene& scene = *impl_->scenes[side];
   shape ? scene.set_patch(0, 0, std::move(shape), arrival) : scene.keep_patches({});
@@ -143,6 +148,7 @@ void FlowCanvas::set_look(const Look& look, double half_width) {
   for (auto& scene : impl_->scenes) {
     if (look.shading != old.shading) scene->set_shading(look.shading);
     if (look.edges != old.edges) scene->set_edges(look.edges);
+    if (look.seams != old.seams) scene->set_seams(look.seams);
     if (look.map != old.map) scene->set_color_map(look.map);
     if (look.stripes != old.stripes) scene->set_stripes(look.stripes);
     if (half_width > 0 && half_width != scene->range()) scene->set_range(half_width);

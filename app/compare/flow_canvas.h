@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/look.h"
+#include "scene/loop_lines.h"
 #include "scene/shape_glide.h"
 #include "views/camera_flight.h"
 #include "views/mesh_view.h"
@@ -27,6 +28,8 @@ class FlowCanvas : public QWidget {
   ~FlowCanvas() override;
 
   void set_neighborhood(std::shared_ptr<const SurfaceShape> shape);
+  /// Drawn as lines where the look has them.
+  void set_seams(const std::vector<LoopLine>& lines);
   /// @param side  0, or 1 for what is right of the line.
   void show_patch(int side, std::shared_ptr<const SurfaceShape> shape, Arrival arrival = Arrival::at_once);
   /// A flow starts: the time until its first state says how long the surface moves to it.

@@ -160,6 +160,16 @@ void CompareTest::views_are_linked_until_unlinked() {
   settle();
   for (int k = 0; k < 4; ++k) QVERIFY(count_colors(window->flow_view(k).canvas().picture(QSize(320, 240))) >= 40);
   const auto position = [&](int k) { return window->flow_view(k).canvas().pose().position; };
+  // The seam is a line in each, as long as it is wanted.
+  const auto seen = [&](int k) { return window->flow_view(k).canvas().picture(QSize(320, 240)); };
+  const std::vector<QImage> with{seen(0), seen(1), seen(2), seen(3)};
+  auto* lines = in<QCheckBox>(*window, "compareSeams");
+  QVERIFY(lines->isChecked());
+  lines->setChecked(false);
+  settle();
+  for (int k = 0; k < 4; ++k) QVERIFY(share_apart(with[k], seen(k)) > 0.002);
+  lines->setChecked(true);
+  settle();
   QVERIFY((position(0) - position(3)).norm() < 1e-9);
   const auto before = position(3);
   QWidget* canvas = window->flow_view(0).canvas().canvas();
