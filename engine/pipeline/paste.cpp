@@ -90,7 +90,7 @@ Message paste(SurfaceModel& model, const Patch& patch, PlacedParts& parts, std::
   if (const PlacedPart* cut = parts.pasted_across(place)) {
     const std::string other = std::to_string(cut->loop), own = std::to_string(parts[place].loop);
     return joined(say("its patch would cut that of loop %1: left open", other), "; ",
-                  say("'loopmend blend --loops 1:%1,1:%2' joins the two by one surface", other, own))
+                  say("'loopmend blend --loops 1:%1,1:%2' may join the two by one surface", other, own))
         .with_code("patches_cross");
   }
   try {
