@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -34,12 +35,17 @@ Vec3 doubled_area(const Points& points, const Triangle& t) {
   return (points[at(t[1])] - points[at(t[0])]).cross(points[at(t[2])] - points[at(t[0])]);
 }
 
-/// The faces of one part, and what is known at its vertices.
 struct Part {
   std::vector<int> faces;
   double area = 0;
   Eigen::AlignedBox3d box;
+  bool is_open = false;
 };
+
+Eigen::AlignedBox3d box_of(const Points& points, const Triangle& t) {
+  Eigen::AlignedBox3d box(points[at(t[0])]);
+  return box.extend(points[at(t[1])]).extend(points[at(t[2])]);
+}
 
 class Overlap {
  public:
@@ -50,19 +56,30 @@ class Overlap {
         kept_(triangles_.size(), 1),
         normals_(points_.size(), Vec3::Zero()),
         edges_(points_.size(), 0),
-        at_boundary_(points_.size(), 0) {
+        at_boundary_(points_.size(), 0),
+        over_(points_.size(), -1),
+        rank_(triangles_.size(), 0),
+        index_(points_, triangles_, triangles_outside(model)) {
     int count = 0;
     const std::vector<int> part_of = parts_of_points(model, count);
     parts_.resize(at(count));
-    for_each_soup_triangle(model, [&](int f) { add(f, parts_[at(part_of[at(triangles_[at(f)][0])])]); });
+    const auto part_at = [&](int v) -> Part& { return parts_[at(part_of[at(v)])]; };
+    for_each_soup_triangle(model, [&](int f) { add(f, part_at(triangles_[at(f)][0])); });
     for (const BoundaryLoop& loop : find_boundary_loops(model))
-      for (const int v : loop.vertices) at_boundary_[at(model.soup_vertex[at(v)])] = 1;
+      for (const int w : loop.vertices) {
+        const int v = model.soup_vertex[at(w)];
+        at_boundary_[at(v)] = 1;
+        part_at(v).is_open = true;
+      }
     std::ranges::stable_sort(parts_, std::ranges::greater(), &Part::area);
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      for (const int f : parts_[k].faces) rank_[at(f)] = k;
   }
 
   /// One for each triangle: 0 where it has to go.
   std::vector<char> kept() {
-    for (std::size_t k = 1; k < parts_.size(); ++k) cut_back(k);
+    for (std::size_t k = 1; k < parts_.size(); ++k)
+      if (parts_[k].is_open) cut_back(k);
     return kept_;
   }
 
@@ -72,26 +89,14 @@ class Overlap {
     const Vec3 area = doubled_area(points_, t);
     part.faces.push_back(f);
     part.area += area.norm();
+    part.box.extend(box_of(points_, t));
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t v = at(t[c]), w = at(t[(c + 1) % 3]);
-      part.box.extend(points_[v]);
       normals_[v] += area;
       const double length = (points_[w] - points_[v]).norm();
       edges_[v] = std::max(edges_[v], length);
       edges_[w] = std::max(edges_[w], length);
     }
-  }
-
-  Eigen::AlignedBox3d around(const Part& part) const {
-    const Vec3 margin = Vec3::Constant(distance_);
-    return {part.box.min() - margin, part.box.max() + margin};
-  }
-
-  Triangles kept_triangles(const Part& part) const {
-    Triangles kept;
-    for (const int f : part.faces)
-      if (kept_[at(f)]) kept.push_back(triangles_[at(f)]);
-    return kept;
   }
 
   /// Whether the vertex lies over these triangles, or so far beside them.
@@ -109,30 +114,31 @@ class Overlap {
 
   void cut_back(std::size_t k) {
     const Part& part = parts_[k];
-    const Eigen::AlignedBox3d reach = around(part);
+    const Vec3 margin = Vec3::Constant(distance_);
+    const Eigen::AlignedBox3d reach(part.box.min() - margin, part.box.max() + margin);
     Triangles below;
     std::set<int> outline;  // of the larger parts, near this one
-    for (std::size_t j = 0; j < k; ++j) {
-      if (!parts_[j].box.intersects(reach)) continue;
-      for (const Triangle& t : kept_triangles(parts_[j])) {
-        below.push_back(t);
-        for (const int v : t)
-          if (at_boundary_[at(v)] && reach.contains(points_[at(v)])) outline.insert(v);
-      }
+    for (const int f : index_.near_box(reach.min(), reach.max())) {
+      if (rank_[at(f)] >= k || !kept_[at(f)]) continue;
+      below.push_back(triangles_[at(f)]);
+      for (const int v : below.back())
+        if (at_boundary_[at(v)] && reach.contains(points_[at(v)])) outline.insert(v);
     }
     if (below.empty()) return;
-    const SurfaceTree tree(points_, below);
-    std::vector<signed char> over(points_.size(), -1);  // asked when needed
+    const SurfaceTree lower(points_, below);
     for (const int f : part.faces)
       for (const int v : triangles_[at(f)]) {
-        signed char& answer = over[at(v)];
-        if (answer < 0) answer = lies_over(v, tree, below, beside * edges_[at(v)]) ? 1 : 0;
-        if (answer > 0) kept_[at(f)] = 0;
+        signed char& over = over_[at(v)];
+        if (over < 0) over = lies_over(v, lower, below, beside * edges_[at(v)]) ? 1 : 0;
+        if (over > 0) kept_[at(f)] = 0;
       }
-    const Triangles left = kept_triangles(part);  // faces so large that none of their vertices is over
+    Triangles left;  // some are so large that none of their vertices is over
     std::vector<int> number;
     for (const int f : part.faces)
-      if (kept_[at(f)]) number.push_back(f);
+      if (kept_[at(f)]) {
+        left.push_back(triangles_[at(f)]);
+        number.push_back(f);
+      }
     const SurfaceTree upper(points_, left);
     for (const int v : outline)
       if (int f = -1; lies_over(v, upper, left, 1e-6 * edges_[at(v)], &f)) kept_[at(number[at(f)])] = 0;
@@ -145,7 +151,10 @@ class Overlap {
   Points normals_;             ///< as long as the areas
   std::vector<double> edges_;  ///< the longest at each point
   std::vector<char> at_boundary_;
-  std::vector<Part> parts_;  ///< by falling area
+  std::vector<signed char> over_;  ///< whether a point lies over a larger part; −1: not asked yet
+  std::vector<Part> parts_;        ///< by falling area
+  std::vector<std::size_t> rank_;  ///< of each triangle's part among them
+  TriangleIndex index_;
 };
 
 /// A row of boundary vertices that came free, in the order of its loop.
@@ -229,10 +238,14 @@ class Joiner {
 
   /// Whether the triangles beyond those of the model do, or cut each other.
   bool cuts_surface(const TriangleSoup& soup) const {
-    Triangles triangles = soup.triangles;
-    const auto count = static_cast<std::ptrdiff_t>(soup.triangles.size() - model_.soup.triangles.size());
-    std::rotate(triangles.begin(), triangles.end() - count, triangles.end());
-    return !self_intersections(soup.points, triangles, static_cast<int>(count)).empty();
+    const auto first_new = soup.triangles.begin() + static_cast<std::ptrdiff_t>(model_.soup.triangles.size());
+    Triangles triangles(first_new, soup.triangles.end());
+    const auto count = static_cast<int>(triangles.size());
+    Eigen::AlignedBox3d strip;
+    for (const Triangle& t : triangles) strip.extend(box_of(soup.points, t));
+    std::copy_if(soup.triangles.begin(), first_new, std::back_inserter(triangles),
+                 [&](const Triangle& t) { return box_of(soup.points, t).intersects(strip); });
+    return !self_intersections(soup.points, triangles, count).empty();
   }
 
   const SurfaceModel& model_;

@@ -14,7 +14,7 @@ struct JoinedTiles {
   std::size_t bridges = 0;        ///< strips between the outlines; their points and faces come last
 };
 
-/// The larger of two parts of the surface keeps its faces. The other one loses those with a vertex over it: within `distance` of it
+/// The larger of two parts of the surface keeps its faces. The other one, if it is open, loses those with a vertex over it: within `distance` of it
 /// along its normal, within half an edge of its outline beside it, and looking the same way. Of each row of edges that come free
 /// both ends are joined to the larger part by a strip, which makes a hole of the gap; of a closed row one vertex is. Where a strip
 /// would have its ends at one place, there is none, and the gap stays part of the outline.
