@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // loopmend-gui: starts the window.
 #include "cli/interrupt.h"
-#include "cli/library_start.h"
 #include "core/memory.h"
 #include "document/language.h"
 #include "document/preferences.h"
@@ -123,9 +122,6 @@ int main(int argc, char** argv) {
                                         loopmend::Autosave::place().toStdString() +
                                         "; it is offered at the next start\n";
   loopmend::handle_signals(last_words.c_str());
-  loopmend::deliver_interrupts();
-  loopmend::restart_without_blas_threads(argv);
-  // Not exit(): where `ulimit -v` is tight, OpenBLAS would wait for a thread of its own that asks for memory for ever.
   if (const int code = answer_options(argc, argv); code >= 0) {
     std::fflush(stdout);
     std::_Exit(code);

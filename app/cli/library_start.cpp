@@ -1,51 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "library_start.h"
+// What the programs tell libraries that begin before main().
 
 #ifdef __linux__
 
-#include <unistd.h>
-
-#include <csignal>
-
-namespace loopmend {
-
-namespace {
-
-sigset_t mask_at_start;
-
-sigset_t only_interrupt() {
-  sigset_t set;
-  sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  return set;
+extern "C" {
+[[gnu::weak]] extern int blas_cpu_number, blas_num_threads;  // of OpenBLAS, where that is the BLAS
+int blas_get_cpu_number();
 }
 
-void block_interrupt(int, char**, char**) {
-  const sigset_t set = only_interrupt();
-  sigprocmask(SIG_BLOCK, &set, &mask_at_start);
-}
-
-/// What stands in this section is called before the functions by which libraries begin.
-[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)(int, char**, char**) = block_interrupt;
-
-}  // namespace
-
-void deliver_interrupts() {
-  const sigset_t set = only_interrupt();
-  const timespec now{};
-  siginfo_t from{};
-  bool interrupted = false;
-  while (sigtimedwait(&set, &from, &now) == SIGINT) interrupted = interrupted || from.si_pid != getpid();
-  sigprocmask(SIG_SETMASK, &mask_at_start, nullptr);
-  if (interrupted) raise(SIGINT);
-}
-
-}  // namespace loopmend
-
-#else
-
-namespace loopmend {
-void deliver_interrupts() {}
-}  // namespace loopmend
+/// OpenBLAS calls this function of its own when it is loaded, and finds that of the program in its place. By itself it would
+/// start a thread for each core, of which the engine uses none. Each of them spins for a tenth of a second before it sleeps, asks
+/// for 128 MB and, where `ulimit -v` withholds them, waits for ever; where `ulimit -u` allows no thread, OpenBLAS raises SIGINT.
+int blas_get_cpu_number() { return blas_cpu_number = blas_num_threads = 1; }
 
 #endif

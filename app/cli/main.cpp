@@ -2,7 +2,6 @@
 // The `loopmend` command line.
 #include "dispatch.h"
 #include "interrupt.h"
-#include "library_start.h"
 
 #include "core/memory.h"
 #include "core/path_text.h"
@@ -19,10 +18,7 @@ int run_program(int argc, char** argv) {
   loopmend::keep_freed_memory();
   std::setlocale(LC_NUMERIC, "C");
   loopmend::handle_signals();
-  loopmend::deliver_interrupts();
-  loopmend::restart_without_blas_threads(argv);
   const int code = loopmend::dispatch(argc, argv);
-  // Not exit(): OpenBLAS would then wait for a thread of its own that, where `ulimit -v` is tight, asks for memory for ever.
   std::fflush(nullptr);
   std::_Exit(code);
 }

@@ -2,15 +2,12 @@
 #include "core/memory.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <string_view>
 #include <vector>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <unistd.h>
 #endif
 
 #ifdef LOOPMEND_OPENBLAS
@@ -45,15 +42,6 @@ bool can_be_had(std::size_t bytes) {
 }  // namespace
 
 const std::size_t least_work_memory = buffers_per_thread * buffer_size + spare;
-
-void restart_without_blas_threads([[maybe_unused]] char** argv) {
-#if defined(__GLIBC__) && defined(LOOPMEND_OPENBLAS)
-  const char* variable = "OPENBLAS_NUM_THREADS";
-  const char* value = std::getenv(variable);
-  if (!address_space_is_limited() || (value && std::string_view(value) == "1")) return;
-  if (setenv(variable, "1", 1) == 0) execv("/proc/self/exe", argv);
-#endif
-}
 
 int claim_work_memory(int threads) {
 #if defined(__GLIBC__) && defined(LOOPMEND_OPENBLAS)

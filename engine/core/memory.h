@@ -12,12 +12,6 @@ namespace loopmend {
 /// glibc.
 void keep_freed_memory();
 
-/// For programs, before any thread is started. Where the address space is limited (`ulimit -v`), begins the program again with
-/// OPENBLAS_NUM_THREADS=1: each of the threads that OpenBLAS starts when it is loaded asks for 128 MB at a time of its own
-/// choice, and waits for it for ever. Returns where there is nothing to do.
-/// @param argv  as main() has it.
-void restart_without_blas_threads(char** argv);
-
 /// For programs, once before patches are evolved. Where the address space is limited (`ulimit -v`), takes what the linear
 /// algebra of so many threads at once will ask for, and holds it to the end: OpenBLAS has no way to fail, it would ask
 /// for ever. Does nothing where there is no limit, with another C library than glibc, or another BLAS than OpenBLAS.
