@@ -8,7 +8,9 @@
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/hand_bridge.h"
+#include "pipeline/join_tiles.h"
 #include "pipeline/scan_job.h"
+#include "pipeline/tile_outlines.h"
 #include "repair/inverted_shells.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
@@ -76,8 +78,31 @@ std::vector<int> faces_at_stitches(const SurfaceModel& model, const NearBoundari
   return faces;
 }
 
+/// @param distance  within which the tiles lie over each other
+RepairedScan with_joined_tiles(const ScanRepairTask& task, double distance) {
+  const OpenedScan& old = *task.opened;
+  SurfaceModel model = *old.model;
+  const JoinedTiles joined =
+      join_tiles(model, distance, [&](TriangleSoup soup) { model = make_surface_model(std::move(soup)); });
+  const QString faces = labels::count(joined.removed_faces), strips = labels::count(joined.bridges);
+  RepairedScan repaired{task.scan, nullptr, FillController::tr("Join the tiles of %1").arg(old.name),
+                        FillController::tr("%1: %2 faces that lay on a larger tile were removed, and %3 strips laid "
+                                           "across the gaps; Ctrl+Z takes it back.")
+                            .arg(old.name, faces, strips)};
+  repaired.proposal = FillController::tr(
+                          "%1: tiles overlap. %2 faces that lie on a larger tile would be removed, and "
+                          "%3 strips laid across the gaps.")
+                          .arg(old.name, faces, strips);
+  repaired.changed_faces = changed_faces(old.model->soup, model.soup);
+  repaired.made = made_scan(std::move(model.soup), old.name, old.origin);
+  return repaired;
+}
+
+/// Tiles that overlap are joined first, since stitching cannot.
 std::optional<RepairedScan> stitched(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
+  const OverlappingOutlines tiles = find_overlapping_outlines(*old.model, find_boundary_loops(*old.model));
+  if (tiles.count > 0) return with_joined_tiles(task, tiles.distance);
   StitchedSurface result = stitch_boundaries(*old.model);
   if (result.joined_vertices + result.split_faces == 0) return std::nullopt;
   const QString words =

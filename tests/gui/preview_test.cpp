@@ -97,6 +97,7 @@ class PreviewTest : public QObject {
   void a_trim_is_shown_and_done();
   void each_place_is_shown();
   void a_stitch_is_shown_and_done();
+  void tiles_that_overlap_are_joined();
   void other_work_takes_the_question_away();
 
  private:
@@ -183,6 +184,28 @@ void PreviewTest::a_stitch_is_shown_and_done() {
   QVERIFY(settle());
   const Document& document = window.document();
   QVERIFY(document.scan(document.scans().front())->loops.empty());
+}
+
+void PreviewTest::tiles_that_overlap_are_joined() {
+  TriangleSoup second = make_graph([](double, double) { return 0.005; }, 1, 17);
+  for (Vec3& p : second.points) p.x() += 1.6;
+  const TriangleSoup first = make_graph([](double, double) { return 0.0; }, 1, 20);
+  Shown window({scan_file(folder_, QStringLiteral("tiles.ply"), joined({first, second}))});
+  const std::size_t before = triangles_of(window);
+  press(window, "stitch");
+  const QString words = proposed(window);
+  QVERIFY2(words.contains(QStringLiteral("tiles overlap")), qPrintable(words));
+  QVERIFY(red_pixels(window) > 20);
+  give(window, "proposalApply");
+  QVERIFY(wait_idle(window));
+  QVERIFY(settle());
+  const Document& document = window.document();
+  const std::vector<BoundaryLoop>& loops = document.scan(document.scans().front())->loops;
+  QCOMPARE(loops.size(), 2U);
+  QVERIFY(loops[0].kind == LoopKind::outer_rim && loops[1].kind == LoopKind::hole);
+  QVERIFY(triangles_of(window) < before);
+  window.undo().undo();
+  QCOMPARE(triangles_of(window), before);
 }
 
 void PreviewTest::other_work_takes_the_question_away() {
