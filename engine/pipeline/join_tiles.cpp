@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/flat_view.h"
 #include "mesh/pieces.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_tree.h"
@@ -15,6 +16,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,6 +27,8 @@ namespace {
 
 constexpr double looks_alike = 0.7;         ///< cosine of the angle between the normals
 constexpr double beside = 0.5;              ///< from the outline of the larger part, in edges of the smaller one
+constexpr double small_fragment = 0.01;     ///< of the faces of a part
+constexpr double fragment_distance = 4;     ///< in those of the faces
 constexpr std::size_t fewest_in_a_row = 8;  ///< vertices, for a strip at either end
 constexpr std::size_t most_tries = 8;       ///< of each strip
 constexpr std::ptrdiff_t from_corner = 2;   ///< vertices from the end of a row to the middle of its strip
@@ -99,8 +103,8 @@ class Overlap {
     }
   }
 
-  /// Whether the vertex lies over these triangles, or so far beside them.
-  bool lies_over(int v, const SurfaceTree& tree, const Triangles& below, double beside_length,
+  /// Whether the vertex lies over these triangles, no further than that, or so far beside them.
+  bool lies_over(int v, const SurfaceTree& tree, const Triangles& below, double distance, double beside_length,
                  int* triangle = nullptr) const {
     const SurfacePoint foot = tree.closest(points_[at(v)]);
     if (foot.triangle < 0) return false;
@@ -108,8 +112,39 @@ class Overlap {
     const Vec3 normal = doubled_area(points_, below[at(foot.triangle)]).normalized();
     const Vec3 apart = points_[at(v)] - foot.place;
     const double along = normal.dot(apart);
-    return std::abs(along) <= distance_ && (apart - along * normal).norm() <= beside_length &&
+    return std::abs(along) <= distance && (apart - along * normal).norm() <= beside_length &&
            normal.dot(normals_[at(v)].normalized()) >= looks_alike;
+  }
+
+  /// What is left of a part is its largest fragment, and others that are not tiny and lie further off.
+  /// @param faces  of the whole part. @returns one for each triangle: not 0 where it goes
+  std::vector<char> fragments_to_remove(const Triangles& left, std::size_t faces, const SurfaceTree& lower,
+                                        const Triangles& below) const {
+    std::vector<char> falls(left.size(), 0);
+    if (left.size() == faces) return falls;
+    std::map<int, int> number;  // of the points
+    Triangles renumbered;
+    for (const Triangle& t : left) {
+      Triangle& own = renumbered.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c)
+        own[c] = number.try_emplace(t[c], static_cast<int>(number.size())).first->second;
+    }
+    const std::vector<int> fragment = components(renumbered, number.size());
+    std::map<int, std::vector<std::size_t>> members;
+    for (std::size_t f = 0; f < left.size(); ++f) members[fragment[at(renumbered[f][0])]].push_back(f);
+    std::size_t largest = 0;
+    for (const auto& [root, own] : members) largest = std::max(largest, own.size());
+    for (const auto& [root, own] : members) {
+      if (own.size() == largest) continue;
+      const bool is_small = static_cast<double>(own.size()) < small_fragment * static_cast<double>(faces);
+      if (is_small || std::ranges::all_of(own, [&](std::size_t f) {
+            return std::ranges::all_of(left[f], [&](int v) {
+              return lies_over(v, lower, below, fragment_distance * distance_, beside * edges_[at(v)]);
+            });
+          }))
+        for (const std::size_t f : own) falls[f] = 1;
+    }
+    return falls;
   }
 
   void cut_back(std::size_t k) {
@@ -129,7 +164,7 @@ class Overlap {
     for (const int f : part.faces)
       for (const int v : triangles_[at(f)]) {
         signed char& over = over_[at(v)];
-        if (over < 0) over = lies_over(v, lower, below, beside * edges_[at(v)]) ? 1 : 0;
+        if (over < 0) over = lies_over(v, lower, below, distance_, beside * edges_[at(v)]) ? 1 : 0;
         if (over > 0) kept_[at(f)] = 0;
       }
     Triangles left;  // some are so large that none of their vertices is over
@@ -139,9 +174,12 @@ class Overlap {
         left.push_back(triangles_[at(f)]);
         number.push_back(f);
       }
+    const auto falls = fragments_to_remove(left, part.faces.size(), lower, below);
+    for (std::size_t f = 0; f < left.size(); ++f)
+      if (falls[f]) kept_[at(number[f])] = 0;
     const SurfaceTree upper(points_, left);
     for (const int v : outline)
-      if (int f = -1; lies_over(v, upper, left, 1e-6 * edges_[at(v)], &f)) kept_[at(number[at(f)])] = 0;
+      if (int f = -1; lies_over(v, upper, left, distance_, 1e-6 * edges_[at(v)], &f)) kept_[at(number[at(f)])] = 0;
   }
 
   const Points& points_;

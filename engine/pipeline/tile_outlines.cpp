@@ -23,7 +23,7 @@ constexpr double looks_alike = 0.7;       ///< cosine of the angle between the n
 constexpr double beside = 0.2;            ///< distance from a boundary edge, in edges
 /// In barycentric coordinates: a place over a vertex of a convex surface lies beside each of the triangles there.
 constexpr double edge_slack = 0.05;
-constexpr int fewest_edges_of_a_sheet = 8;
+constexpr int fewest_edges_of_a_tile = 8;
 
 /// A vertex of an outline.
 struct Place {
@@ -69,13 +69,14 @@ bool lies_beside(const Place& place, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  std::vector<char> is_outer(loops.size(), 0), at_boundary(model.soup.points.size(), 0);
+  std::vector<char> is_asked(loops.size(), 0), at_boundary(model.soup.points.size(), 0);
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    is_outer[k] = loops[k].kind == LoopKind::outer_rim && loops[k].edges() >= fewest_edges_of_a_sheet;
+    is_asked[k] = (loops[k].kind == LoopKind::outer_rim || loops[k].kind == LoopKind::hole) &&
+                  loops[k].edges() >= fewest_edges_of_a_tile;
     for (const int v : loops[k].vertices)
       at_boundary[static_cast<std::size_t>(model.soup_vertex[static_cast<std::size_t>(v)])] = 1;
   }
-  if (std::count(is_outer.begin(), is_outer.end(), 1) == 0) return {};
+  if (std::count(is_asked.begin(), is_asked.end(), 1) == 0) return {};
   int parts = 0;
   const std::vector<int> part_of = parts_of_points(model, parts);
   if (parts < 2) return {};
@@ -84,7 +85,7 @@ OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const s
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const std::vector<int>& vertices = loops[k].vertices;
     const std::size_t stride = std::max<std::size_t>(1, vertices.size() / most_places);
-    for (std::size_t i = 0; is_outer[k] && i < vertices.size(); i += stride) {
+    for (std::size_t i = 0; is_asked[k] && i < vertices.size(); i += stride) {
       const TriMesh::VertexHandle v(vertices[i]), w(vertices[(i + 1) % vertices.size()]);
       const int point = model.soup_vertex[static_cast<std::size_t>(v.idx())];
       places.push_back({model.mesh.point(v), normal_at(model.mesh, v),
@@ -124,7 +125,7 @@ OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const s
   OverlappingOutlines found;
   std::vector<char> is_over(loops.size(), 0);
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    is_over[k] = is_outer[k] && static_cast<double>(over[k]) >= least_share * static_cast<double>(all[k]);
+    is_over[k] = is_asked[k] && static_cast<double>(over[k]) >= least_share * static_cast<double>(all[k]);
     found.count += is_over[k] != 0;
   }
   for (const Place& place : places)

@@ -475,7 +475,7 @@ TEST_F(PreparationCommands, TilesThatAbutOrOverlapAreNamedInOneSentence) {
   EXPECT_THAT(fill("tiles.ply", "--stitch").out, Not(HasSubstr("tiles")));
   EXPECT_EQ(open_edges_written(), 6 * 20);
   two_tiles(1.3);
-  EXPECT_THAT(fill("tiles.ply").out, HasSubstr("2 outlines of sheets run over another one: tiles that overlap"));
+  EXPECT_THAT(fill("tiles.ply").out, HasSubstr("2 boundaries run over another part of the surface: tiles that overlap"));
   EXPECT_THAT(info("tiles.ply").out, HasSubstr("tiles that overlap"));
 }
 

@@ -76,6 +76,16 @@ TEST(JoinTiles, DropsATileThatLiesOnAnotherAltogether) {
   EXPECT_EQ(model.soup.triangles.size(), large.triangles.size());
 }
 
+/// A blister of the smaller tile, too high for the length: it would be left over the other tile as a part of its own.
+TEST(JoinTiles, DropsFragmentsThatAreCutOff) {
+  const TriangleSoup large = tile(0, 0, 0, 30);
+  TriangleSoup small = tile(1.2, 0, 0.003, 28);
+  for (Vec3& p : small.points) p.z() += 0.02 * std::exp(-((p.x() - 0.6) * (p.x() - 0.6) + p.y() * p.y()) / 0.02);
+  SurfaceModel model = make_surface_model(joined({large, small}));
+  join(model, 0.01);
+  EXPECT_EQ(parts(model), 1);
+}
+
 TEST(JoinTiles, LeavesWhatLiesApartOrLooksTheOtherWay) {
   SurfaceModel far = make_surface_model(joined({tile(0, 0, 0, 20), tile(1.8, 0, 0.05, 23)}));
   EXPECT_EQ(join(far, 0.03).removed_faces, 0U);

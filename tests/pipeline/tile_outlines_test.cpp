@@ -35,6 +35,15 @@ TEST(TileOutlines, ACopyOfAPartOfABallIsCounted) {
   EXPECT_EQ(find_overlapping_outlines(model, find_boundary_loops(model)).count, 1U);
 }
 
+/// Their boundaries are no outlines of sheets.
+TEST(TileOutlines, HalvesOfABallThatOverlapAreCounted) {
+  const TriangleSoup upper = cut(make_icosphere(4), [](const Vec3& p) { return p.z() < -0.2; });
+  TriangleSoup lower = cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.2; });
+  for (Vec3& p : lower.points) p *= 1.004;
+  const SurfaceModel model = make_surface_model(joined({upper, lower}));
+  EXPECT_EQ(find_overlapping_outlines(model, find_boundary_loops(model)).count, 2U);
+}
+
 TEST(TileOutlines, TilesBesideOrFarAboveEachOtherAreNot) {
   EXPECT_EQ(of_two_tiles(2, 0).count, 0U);
   EXPECT_EQ(of_two_tiles(2.1, 0).count, 0U);
