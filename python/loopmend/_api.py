@@ -168,7 +168,8 @@ def fill(
         sigma: size of a step in the mode "steps", no unit; 1e-6 to 1e8.
         solver: of the steps: "auto", "direct" or "gmres".
         stitch: joins boundaries that lie within a tenth of their edges of each other first; within a length, as in
-            ``stitch=0.5``; or within a part of the edges, as in ``stitch="5%"``.
+            ``stitch=0.5``, where tiles that overlap within it are joined as well; or within a part of the edges, as in
+            ``stitch="5%"``.
         auto: does first what this mesh needs, and nothing else: cut_no_data where vertices mark missing data, stitch where
             boundaries nearly coincide, repair where loops run along edges of more than two faces, trim_crossing where no patch
             could be valid.
