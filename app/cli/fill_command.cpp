@@ -97,9 +97,14 @@ void print_preparation(std::FILE* out, const Preparation& done) {
     print_no_data(out, done.no_data);
   if (done.sides_turned > 0) std::fprintf(out, "All %zu faces were turned round.\n", done.sides_turned);
   if (done.tiles.removed_faces > 0)
-    std::fprintf(out, "Tiles that overlap: %s removed where a larger one lies, and %s laid across the gaps.\n",
+    std::fprintf(out,
+                 "Tiles that overlap: %s removed where a larger part lies, and %s laid across the gaps; the output is "
+                 "compared with the mesh after that.\n",
                  counted(done.tiles.removed_faces, "face was", "faces were").c_str(),
                  counted(done.tiles.bridges, "strip was", "strips were").c_str());
+  if (done.tiles.removed_parts > 0)
+    std::fprintf(out, "%s removed that lay wholly on a larger one: right for tiles, wrong for layers.\n",
+                 counted(done.tiles.removed_parts, "part was", "parts were").c_str());
   if (done.stitched)
     std::fprintf(out, "Stitched: %s joined to others, %s split; the output is compared with the stitched mesh.\n",
                  counted(done.stitched->joined_vertices, "vertex", "vertices").c_str(),
@@ -129,7 +134,9 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
                         {"split_faces", done.stitched->split_faces},
                         {"removed_faces", done.stitched->removed_faces}};
   if (done.tiles.removed_faces > 0)
-    json["joined_tiles"] = {{"removed_faces", done.tiles.removed_faces}, {"strips", done.tiles.bridges}};
+    json["joined_tiles"] = {{"removed_faces", done.tiles.removed_faces},
+                            {"removed_parts", done.tiles.removed_parts},
+                            {"strips", done.tiles.bridges}};
   if (done.repaired)
     json["repaired"] = {
         {"separated_edges", done.repaired->separated_edges}, {"separated_vertices", done.repaired->separated_vertices},

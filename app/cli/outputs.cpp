@@ -193,11 +193,12 @@ void print_tiles(std::FILE* out, const TileOutlines& outlines, const char* begin
     std::fprintf(out, "%s%s beside others: tiles that abut; fill --stitch joins them.\n", begin,
                  counted(outlines.abutting, "outline of a sheet runs", "outlines of sheets run").c_str());
   if (outlines.overlapping.count > 0)
-    std::fprintf(out,
-                 "%s%s over another part of the surface: tiles that overlap; fill --stitch %.2g cuts the smaller ones "
-                 "back and joins them.\n",
-                 begin, counted(outlines.overlapping.count, "boundary runs", "boundaries run").c_str(),
-                 outlines.overlapping.distance);
+    std::fprintf(
+        out,
+        "%s%s over another part of the surface: tiles that overlap, or layers; if tiles, fill --stitch %.2g cuts "
+        "the smaller ones back and joins them.\n",
+        begin, counted(outlines.overlapping.count, "boundary runs", "boundaries run").c_str(),
+        outlines.overlapping.distance);
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {

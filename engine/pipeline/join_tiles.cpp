@@ -27,6 +27,7 @@ namespace {
 
 constexpr double looks_alike = 0.7;         ///< cosine of the angle between the normals
 constexpr double beside = 0.5;              ///< from the outline of the larger part, in edges of the smaller one
+constexpr std::size_t fewest_faces = 8;     ///< of a tile; less is a scrap
 constexpr double small_fragment = 0.01;     ///< of the faces of a part
 constexpr double fragment_distance = 4;     ///< in those of the faces
 constexpr std::size_t fewest_in_a_row = 8;  ///< vertices, for a strip at either end
@@ -83,7 +84,7 @@ class Overlap {
   /// One for each triangle: 0 where it has to go.
   std::vector<char> kept() {
     for (std::size_t k = 1; k < parts_.size(); ++k)
-      if (parts_[k].is_open) cut_back(k);
+      if (parts_[k].is_open && parts_[k].faces.size() >= fewest_faces) cut_back(k);
     return kept_;
   }
 
@@ -223,6 +224,12 @@ std::vector<FreeRow> free_rows(const SurfaceModel& model, const std::vector<char
   return rows;
 }
 
+int count_parts(const SurfaceModel& model) {
+  int count = 0;
+  parts_of_points(model, count);
+  return count;
+}
+
 /// Joins parts of the surface along rows that came free.
 class Joiner {
  public:
@@ -302,7 +309,9 @@ JoinedTiles join_tiles(const SurfaceModel& model, double distance, const std::fu
   for (std::size_t f = 0; f < kept.size(); ++f)
     if (!kept[f])
       for (const int v : model.soup.triangles[f]) is_free[at(v)] = 1;
+  const int parts_before = count_parts(model);
   replace(with_faces(model.soup, kept));
+  joined.removed_parts = static_cast<std::size_t>(std::max(0, parts_before - count_parts(model)));
   Joiner joiner(model, replace);
   for (const FreeRow& row : free_rows(model, is_free)) joined.bridges += joiner.join(row);
   return joined;

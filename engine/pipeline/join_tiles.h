@@ -11,10 +11,11 @@ namespace loopmend {
 
 struct JoinedTiles {
   std::size_t removed_faces = 0;  ///< of a smaller tile, where a larger one lies
+  std::size_t removed_parts = 0;  ///< that lay on a larger one altogether
   std::size_t bridges = 0;        ///< strips between the outlines; their points and faces come last
 };
 
-/// The larger of two parts of the surface keeps its faces. The other one, if it is open, loses those with a vertex over it: within `distance` of it
+/// The larger of two parts of the surface keeps its faces. The other one, if it is open and has eight faces or more, loses those with a vertex over it: within `distance` of it
 /// along its normal, within half an edge of its outline beside it, and looking the same way. Of each row of edges that come free
 /// both ends are joined to the larger part by a strip, which makes a hole of the gap; of a closed row one vertex is. Where a strip
 /// would have its ends at one place, there is none, and the gap stays part of the outline.

@@ -187,7 +187,7 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
   if (stitches()) {
     done.stitched = stitch_boundaries(model, options.stitch_tolerance);
     replace(std::move(done.stitched->soup));
-    if (where_needed && !done.stitched->any()) done.stitched.reset();
+    if ((where_needed || done.tiles.removed_faces > 0) && !done.stitched->any()) done.stitched.reset();
   }
   if (where_needed) options.repair.merge(repairs_needed(model));
   if (!options.repair.empty()) {

@@ -18,7 +18,7 @@ namespace bg = boost::geometry;
 
 constexpr std::size_t most_places = 100;  ///< of an outline that are looked at
 constexpr double least_distance = 0.01;   ///< to propose, in edges
-constexpr double least_share = 0.2;       ///< of an outline that runs over another piece
+constexpr double least_share = 0.05;      ///< of an outline that runs over another piece
 constexpr double looks_alike = 0.7;       ///< cosine of the angle between the normals
 constexpr double beside = 0.2;            ///< distance from a boundary edge, in edges
 /// In barycentric coordinates: a place over a vertex of a convex surface lies beside each of the triangles there.

@@ -22,7 +22,7 @@ struct TileOutlines {
   OverlappingOutlines overlapping;
 };
 
-/// Outlines, and boundaries of holes, that run over another part that looks the same way, for a fifth of their length or more and within an edge's length
+/// Outlines, and boundaries of holes, that run over another part that looks the same way, for a twentieth of their length or more and within an edge's length
 /// of it. Outlines that only lie beside another boundary are none of these.
 /// @param loops  all of the model
 OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
