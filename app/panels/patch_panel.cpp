@@ -76,7 +76,7 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   update_state();
 }
 
-/// What is of use for patches alone comes with the first one, below what is there already.
+/// Controls for patches appear with the first patch, below the others.
 void PatchPanel::update_state() {
   const bool any = !document_.patches().empty();
   decision_->setVisible(any);

@@ -87,6 +87,12 @@ class Overlap {
       if (parts_[k].is_open && parts_[k].faces.size() >= fewest_faces) cut_back(k);
     return kept_;
   }
+  /// After kept(): of which no face is kept.
+  std::size_t removed_parts() const {
+    return static_cast<std::size_t>(std::ranges::count_if(parts_, [&](const Part& part) {
+      return std::ranges::none_of(part.faces, [&](int f) { return kept_[at(f)] != 0; });
+    }));
+  }
 
  private:
   void add(int f, Part& part) {
@@ -224,12 +230,6 @@ std::vector<FreeRow> free_rows(const SurfaceModel& model, const std::vector<char
   return rows;
 }
 
-int count_parts(const SurfaceModel& model) {
-  int count = 0;
-  parts_of_points(model, count);
-  return count;
-}
-
 /// Joins parts of the surface along rows that came free.
 class Joiner {
  public:
@@ -302,16 +302,16 @@ class Joiner {
 
 JoinedTiles join_tiles(const SurfaceModel& model, double distance, const std::function<void(TriangleSoup)>& replace) {
   JoinedTiles joined;
-  const std::vector<char> kept = Overlap(model, distance).kept();
+  Overlap overlap(model, distance);
+  const std::vector<char> kept = overlap.kept();
+  joined.removed_parts = overlap.removed_parts();
   joined.removed_faces = static_cast<std::size_t>(std::ranges::count(kept, 0));
   if (joined.removed_faces == 0) return joined;
   std::vector<char> is_free(model.soup.points.size(), 0);
   for (std::size_t f = 0; f < kept.size(); ++f)
     if (!kept[f])
       for (const int v : model.soup.triangles[f]) is_free[at(v)] = 1;
-  const int parts_before = count_parts(model);
   replace(with_faces(model.soup, kept));
-  joined.removed_parts = static_cast<std::size_t>(std::max(0, parts_before - count_parts(model)));
   Joiner joiner(model, replace);
   for (const FreeRow& row : free_rows(model, is_free)) joined.bridges += joiner.join(row);
   return joined;

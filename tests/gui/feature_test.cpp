@@ -238,7 +238,7 @@ void FeatureTest::filter_and_groups() {
   QCOMPARE(rows(), 1);
   QVERIFY2(window.selection().selected() == std::set<int>{hole}, "narrowing the table must not change the selection");
   part<QComboBox>(window, "holesGroup")->setCurrentIndex(0);
-  // A click on State brings to the top what is to be done, and leaves for the end what is left out.
+  // A click on State sorts open and doubtful holes to the top, and those left out to the end.
   auto* table = part<QTableView>(window, "holesTable");
   table->sortByColumn(HoleTable::state, Qt::AscendingOrder);
   const auto states = [&](int row) { return table->model()->index(row, HoleTable::state).data().toString(); };

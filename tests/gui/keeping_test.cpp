@@ -361,7 +361,7 @@ void KeepingTest::no_button_moves_under_the_mouse() {
         moved << QStringLiteral("no widget %1").arg(QLatin1String(name));
         continue;
       }
-      if (!widget->isVisible()) continue;  // what is for patches comes with the first one
+      if (!widget->isVisible()) continue;  // controls for patches appear with the first one
       const QPoint at = widget->mapTo(&window, QPoint(0, 0));
       const auto [before, is_new] = first.try_emplace(name, at);
       if (before->second != at)

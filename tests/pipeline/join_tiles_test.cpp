@@ -72,6 +72,7 @@ TEST(JoinTiles, DropsATileThatLiesOnAnotherAltogether) {
   SurfaceModel model = make_surface_model(joined({small, large}));
   const JoinedTiles done = join(model, 0.01);
   EXPECT_EQ(done.removed_faces, small.triangles.size());
+  EXPECT_EQ(done.removed_parts, 1U);
   EXPECT_EQ(done.bridges, 0U);
   EXPECT_EQ(model.soup.triangles.size(), large.triangles.size());
 }
