@@ -37,7 +37,6 @@ using namespace loopmend;
 using namespace loopmend::testing;
 
 namespace {
-
 const double minutes = 60;
 
 bool verdict_is_known(MainWindow& window) {
