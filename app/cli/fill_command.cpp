@@ -102,6 +102,9 @@ void print_preparation(std::FILE* out, const Preparation& done) {
                  "compared with the mesh after that.\n",
                  counted(done.tiles.removed_faces, "face was", "faces were").c_str(),
                  counted(done.tiles.bridges, "strip was", "strips were").c_str());
+  if (done.tiles.open_gaps > 0)
+    std::fprintf(out, "%s without a strip: each would cut the surface; --bridge A,B lays one between two vertices.\n",
+                 counted(done.tiles.open_gaps, "gap is", "gaps are").c_str());
   if (done.tiles.removed_parts > 0)
     std::fprintf(out, "%s removed that lay wholly on a larger one: right for tiles, wrong for layers.\n",
                  counted(done.tiles.removed_parts, "part was", "parts were").c_str());
@@ -136,7 +139,8 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
   if (done.tiles.removed_faces > 0)
     json["joined_tiles"] = {{"removed_faces", done.tiles.removed_faces},
                             {"removed_parts", done.tiles.removed_parts},
-                            {"strips", done.tiles.bridges}};
+                            {"strips", done.tiles.bridges},
+                            {"open_gaps", done.tiles.open_gaps}};
   if (done.repaired)
     json["repaired"] = {
         {"separated_edges", done.repaired->separated_edges}, {"separated_vertices", done.repaired->separated_vertices},

@@ -210,7 +210,9 @@ std::optional<RepairedScan> prepared(const ScanRepairTask& task) {
 
 RepairedScan bridged(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
-  HandBridge bridge = with_bridge(*old.model, task.bridge_ends[0], task.bridge_ends[1]);
+  const BridgeStrip bridge = BridgeMaker(*old.model).strip(task.bridge_ends[0], task.bridge_ends[1]);
+  TriangleSoup soup = old.model->soup;
+  append(soup, bridge, soup.points.size());
   const QString words =
       FillController::tr("%1: a bridge was laid between the vertices %2 and %3; Ctrl+Z takes it back.")
           .arg(old.name)
@@ -218,7 +220,7 @@ RepairedScan bridged(const ScanRepairTask& task) {
           .arg(bridge.to);
   const bool fills = task.part_to_fill >= 0;
   RepairedScan result{
-      task.scan, made_scan(std::move(bridge.soup), old.name, old.origin),
+      task.scan, made_scan(std::move(soup), old.name, old.origin),
       (fills ? FillController::tr("Fill a part of a hole of %1") : FillController::tr("Bridge a hole of %1"))
           .arg(old.name),
       words, NewPoints{}};

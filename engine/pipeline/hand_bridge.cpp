@@ -20,11 +20,6 @@ constexpr int most_shifts = 2;     ///< boundary edges by which an end may move 
 constexpr int seen_edges = 8;      ///< to both sides of an end, in which teeth of the boundary are looked for
 constexpr double narrowed = 0.7;   ///< width of a strip in that of its ends
 
-struct Place {
-  std::size_t loop;
-  int vertex;  ///< of the loop
-};
-
 /// A vertex of a loop that runs with the hole to its left, and the vertices on both sides of it.
 struct BridgeEnd {
   int before = 0, at = 0, after = 0;  ///< soup points
@@ -101,15 +96,6 @@ class BridgeLoop {
   LoopFacing facing_;
 };
 
-std::vector<Place> places_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int point) {
-  std::vector<Place> places;
-  for (std::size_t l = 0; l < loops.size(); ++l)
-    for (int k = 0; k < loops[l].edges(); ++k)
-      if (model.soup_vertex[loops[l].vertices[static_cast<std::size_t>(k)]] == point) places.push_back({l, k});
-  if (places.empty()) throw InvalidArgument(say("vertex %1 lies on no boundary loop", point));
-  return places;
-}
-
 bool lie_apart(const BridgeEnd& s, const BridgeEnd& t) {
   for (const int end : {s.before, s.at, s.after})
     if (end == t.before || end == t.at || end == t.after) return false;
@@ -118,23 +104,38 @@ bool lie_apart(const BridgeEnd& s, const BridgeEnd& t) {
 
 }  // namespace
 
-HandBridge with_bridge(const SurfaceModel& model, int a, int b) {
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  const std::vector<Place> places_a = places_of(model, loops, a), places_b = places_of(model, loops, b);
+BridgeMaker::BridgeMaker(const SurfaceModel& model) : model_(model), loops_(find_boundary_loops(model)) {
+  for (std::size_t l = 0; l < loops_.size(); ++l)
+    for (int k = 0; k < loops_[l].edges(); ++k)
+      places_.emplace(model.soup_vertex[static_cast<std::size_t>(loops_[l].vertices[static_cast<std::size_t>(k)])],
+                      Place{l, k});
+}
+
+std::vector<BridgeMaker::Place> BridgeMaker::places_of(int point) const {
+  std::vector<Place> places;
+  for (auto [it, end] = places_.equal_range(point); it != end; ++it) places.push_back(it->second);
+  if (places.empty()) throw InvalidArgument(say("vertex %1 lies on no boundary loop", point));
+  return places;
+}
+
+BridgeStrip BridgeMaker::strip(int a, int b) const {
+  const std::vector<Place> places_a = places_of(a), places_b = places_of(b);
   Place from = places_a.front(), to = places_b.front();
   for (const Place& first : places_a)  // where loops touch, both ends on one loop if that can be
     for (const Place& second : places_b)
       if (first.loop == second.loop) from = first, to = second;
-  const auto at = [&](int v) { return Vec3(model.soup.points[v]); };
+  const auto at = [&](int v) { return Vec3(model_.soup.points[v]); };
   const Vec3 across = at(b) - at(a);
-  const BridgeLoop loop_a(model, loops[from.loop]), loop_b(model, loops[to.loop]);
+  const BridgeLoop loop_a(model_, loops_[from.loop]), loop_b(model_, loops_[to.loop]);
   BridgeEnd s = loop_a.free_end_at(from.vertex, across), t = loop_b.free_end_at(to.vertex, -across);
   if (!lie_apart(s, t)) s = loop_a.end_at(from.vertex, across), t = loop_b.end_at(to.vertex, -across);
   if (!lie_apart(s, t))
     throw InvalidArgument(
         say("the boundary edges at vertices %1 and %2 have a vertex in common: a bridge needs two ends that lie apart",
             a, b));
-  TriangleSoup soup = model.soup;
+  BridgeStrip made;
+  made.from = s.at;
+  made.to = t.at;
   const TangentCubic middle(at(s.at), s.onward, at(t.at), -t.onward);
   // Towards the left rail, from the middle: at both ends, and of the strip between.
   const Vec3 left_of_s = at(s.before) - at(s.at), left_of_t = at(t.after) - at(t.at);
@@ -143,20 +144,19 @@ HandBridge with_bridge(const SurfaceModel& model, int a, int b) {
   const int rows = std::clamp(static_cast<int>(std::lround(middle.length() / std::max(width, 1e-300))), 2, 10000);
   /// Between two points of the soup, at the share `share` from the first.
   const auto add = [&](const Vec3& p, int first, int second, double share) {
-    soup.points.push_back(p);
-    if (!soup.colors.empty()) {
+    made.points.push_back(p);
+    if (const std::vector<Color>& colors = model_.soup.colors; !colors.empty()) {
       Color mixed;
       for (std::size_t k = 0; k < mixed.size(); ++k)
-        mixed[k] = static_cast<unsigned char>(
-            std::lround((1 - share) * soup.colors[first][k] + share * soup.colors[second][k]));
-      soup.colors.push_back(mixed);
+        mixed[k] = static_cast<unsigned char>(std::lround((1 - share) * colors[first][k] + share * colors[second][k]));
+      made.colors.push_back(mixed);
     }
-    return static_cast<int>(soup.points.size()) - 1;
+    return static_cast<int>(model_.soup.points.size() + made.points.size()) - 1;
   };
   struct Row {
     int left, middle, right;
   };
-  std::vector<Row> strip{{s.before, s.at, s.after}};
+  std::vector<Row> rungs{{s.before, s.at, s.after}};
   for (int r = 1; r < rows; ++r) {
     const double share = static_cast<double>(r) / rows;
     // The boundary's own edges count in the first and the last row only.
@@ -164,19 +164,36 @@ HandBridge with_bridge(const SurfaceModel& model, int a, int b) {
     const Vec3 normal = (1 - share) * s.normal + share * t.normal;
     const Vec3 side = (1 - of_s - of_t) * width * unit_or_zero(normal.cross(middle.derivative(share)));
     const Vec3 p = middle.at(share);
-    strip.push_back({add(p + side + of_s * left_of_s + of_t * left_of_t, s.before, t.after, share),
+    rungs.push_back({add(p + side + of_s * left_of_s + of_t * left_of_t, s.before, t.after, share),
                      add(p, s.at, t.at, share),
                      add(p - side + of_s * right_of_s + of_t * right_of_t, s.after, t.before, share)});
   }
-  strip.push_back({t.after, t.at, t.before});
+  rungs.push_back({t.after, t.at, t.before});
   for (int r = 0; r < rows; ++r) {
-    const Row &row = strip[static_cast<std::size_t>(r)], &next = strip[static_cast<std::size_t>(r) + 1];
-    soup.triangles.push_back({row.left, row.middle, next.middle});
-    soup.triangles.push_back({row.left, next.middle, next.left});
-    soup.triangles.push_back({row.middle, row.right, next.middle});
-    soup.triangles.push_back({row.right, next.right, next.middle});
+    const Row &row = rungs[static_cast<std::size_t>(r)], &next = rungs[static_cast<std::size_t>(r) + 1];
+    made.triangles.push_back({row.left, row.middle, next.middle});
+    made.triangles.push_back({row.left, next.middle, next.left});
+    made.triangles.push_back({row.middle, row.right, next.middle});
+    made.triangles.push_back({row.right, next.right, next.middle});
   }
-  return {std::move(soup), s.at, t.at};
+  return made;
+}
+
+void append(TriangleSoup& soup, const BridgeStrip& strip, std::size_t surface_points) {
+  const auto shift = static_cast<int>(soup.points.size() - surface_points);
+  soup.points.insert(soup.points.end(), strip.points.begin(), strip.points.end());
+  soup.colors.insert(soup.colors.end(), strip.colors.begin(), strip.colors.end());
+  for (Triangle t : strip.triangles) {
+    for (int& v : t)
+      if (v >= static_cast<int>(surface_points)) v += shift;
+    soup.triangles.push_back(t);
+  }
+}
+
+TriangleSoup with_bridge(const SurfaceModel& model, int a, int b) {
+  TriangleSoup soup = model.soup;
+  append(soup, BridgeMaker(model).strip(a, b), soup.points.size());
+  return soup;
 }
 
 }  // namespace loopmend

@@ -5,6 +5,7 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/flat_view.h"
 #include "mesh/pieces.h"
+#include "mesh/point_tree.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_tree.h"
 #include "pipeline/hand_bridge.h"
@@ -14,10 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
-#include <limits>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -25,12 +25,14 @@ namespace loopmend {
 
 namespace {
 
+namespace bg = boost::geometry;
+
 constexpr double looks_alike = 0.7;         ///< cosine of the angle between the normals
 constexpr double beside = 0.5;              ///< from the outline of the larger part, in edges of the smaller one
 constexpr std::size_t fewest_faces = 8;     ///< of a tile; less is a scrap
 constexpr double small_fragment = 0.01;     ///< of the faces of a part
 constexpr double fragment_distance = 4;     ///< in those of the faces
-constexpr std::size_t fewest_in_a_row = 8;  ///< vertices, for a strip at either end
+constexpr std::size_t fewest_in_a_row = 8;  ///< vertices, for a strip at either end; also of a loop that strips lead to
 constexpr std::size_t most_tries = 8;       ///< of each strip
 constexpr std::ptrdiff_t from_corner = 2;   ///< vertices from the end of a row to the middle of its strip
 
@@ -50,6 +52,21 @@ struct Part {
 Eigen::AlignedBox3d box_of(const Points& points, const Triangle& t) {
   Eigen::AlignedBox3d box(points[at(t[0])]);
   return box.extend(points[at(t[1])]).extend(points[at(t[2])]);
+}
+
+/// These triangles and the points that they use, renumbered.
+TriangleSoup used_alone(const Points& points, const Triangles& triangles) {
+  TriangleSoup alone;
+  std::unordered_map<int, int> number;
+  for (const Triangle& t : triangles) {
+    Triangle& own = alone.triangles.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [found, is_new] = number.try_emplace(t[c], static_cast<int>(alone.points.size()));
+      if (is_new) alone.points.push_back(points[at(t[c])]);
+      own[c] = found->second;
+    }
+  }
+  return alone;
 }
 
 class Overlap {
@@ -123,35 +140,40 @@ class Overlap {
            normal.dot(normals_[at(v)].normalized()) >= looks_alike;
   }
 
-  /// What is left of a part is its largest fragment, and others that are not tiny and lie further off.
-  /// @param faces  of the whole part. @returns one for each triangle: not 0 where it goes
-  std::vector<char> fragments_to_remove(const Triangles& left, std::size_t faces, const SurfaceTree& lower,
-                                        const Triangles& below) const {
-    std::vector<char> falls(left.size(), 0);
-    if (left.size() == faces) return falls;
-    std::map<int, int> number;  // of the points
-    Triangles renumbered;
-    for (const Triangle& t : left) {
-      Triangle& own = renumbered.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c)
-        own[c] = number.try_emplace(t[c], static_cast<int>(number.size())).first->second;
-    }
-    const std::vector<int> fragment = components(renumbered, number.size());
+  struct Left {
+    Triangles triangles;
+    std::vector<int> number;  ///< of each among all
+  };
+  Left left_of(const std::vector<int>& faces) const {
+    Left left;
+    for (const int f : faces)
+      if (kept_[at(f)]) {
+        left.triangles.push_back(triangles_[at(f)]);
+        left.number.push_back(f);
+      }
+    return left;
+  }
+
+  /// Of what is left its largest fragment stays, and others that are not tiny and lie further off.
+  void remove_fragments(const std::vector<int>& faces, const SurfaceTree& lower, const Triangles& below) {
+    const Left left = left_of(faces);
+    if (left.triangles.size() == faces.size()) return;
+    const TriangleSoup alone = used_alone(points_, left.triangles);
+    const std::vector<int> fragment = components(alone.triangles, alone.points.size());
     std::map<int, std::vector<std::size_t>> members;
-    for (std::size_t f = 0; f < left.size(); ++f) members[fragment[at(renumbered[f][0])]].push_back(f);
+    for (std::size_t f = 0; f < left.number.size(); ++f) members[fragment[at(alone.triangles[f][0])]].push_back(f);
     std::size_t largest = 0;
     for (const auto& [root, own] : members) largest = std::max(largest, own.size());
     for (const auto& [root, own] : members) {
       if (own.size() == largest) continue;
-      const bool is_small = static_cast<double>(own.size()) < small_fragment * static_cast<double>(faces);
+      const bool is_small = static_cast<double>(own.size()) < small_fragment * static_cast<double>(faces.size());
       if (is_small || std::ranges::all_of(own, [&](std::size_t f) {
-            return std::ranges::all_of(left[f], [&](int v) {
+            return std::ranges::all_of(left.triangles[f], [&](int v) {
               return lies_over(v, lower, below, fragment_distance * distance_, beside * edges_[at(v)]);
             });
           }))
-        for (const std::size_t f : own) falls[f] = 1;
+        for (const std::size_t f : own) kept_[at(left.number[f])] = 0;
     }
-    return falls;
   }
 
   void cut_back(std::size_t k) {
@@ -174,19 +196,59 @@ class Overlap {
         if (over < 0) over = lies_over(v, lower, below, distance_, beside * edges_[at(v)]) ? 1 : 0;
         if (over > 0) kept_[at(f)] = 0;
       }
-    Triangles left;  // some are so large that none of their vertices is over
-    std::vector<int> number;
-    for (const int f : part.faces)
-      if (kept_[at(f)]) {
-        left.push_back(triangles_[at(f)]);
-        number.push_back(f);
+    remove_crossing(part.faces, below);
+    remove_below(outline, part.faces);
+    remove_teeth(part.faces);
+    remove_fragments(part.faces, lower, below);
+  }
+
+  /// Triangles that cut a larger part and are joined to some that went, by others that do.
+  void remove_crossing(const std::vector<int>& faces, const Triangles& below) {
+    Left left = left_of(faces);
+    const std::size_t count = left.triangles.size();
+    if (count == faces.size()) return;
+    left.triangles.insert(left.triangles.end(), below.begin(), below.end());
+    const TriangleSoup alone = used_alone(points_, left.triangles);
+    const std::vector<char> cuts = triangles_that_cut(alone.points, alone.triangles, static_cast<int>(count));
+    std::set<int> free;
+    for (const int f : faces)
+      if (!kept_[at(f)]) free.insert(triangles_[at(f)].begin(), triangles_[at(f)].end());
+    for (bool any = true; std::exchange(any, false);)
+      for (std::size_t k = 0; k < cuts.size(); ++k) {
+        const Triangle& t = left.triangles[k];
+        if (!cuts[k] || !kept_[at(left.number[k])] || std::ranges::none_of(t, [&](int v) { return free.contains(v); }))
+          continue;
+        kept_[at(left.number[k])] = 0;
+        free.insert(t.begin(), t.end());
+        any = true;
       }
-    const auto falls = fragments_to_remove(left, part.faces.size(), lower, below);
-    for (std::size_t f = 0; f < left.size(); ++f)
-      if (falls[f]) kept_[at(number[f])] = 0;
-    const SurfaceTree upper(points_, left);
+  }
+
+  /// Triangles that the outline of a larger part runs below: some are so large that none of their vertices lies over it.
+  void remove_below(const std::set<int>& outline, const std::vector<int>& faces) {
+    const Left left = left_of(faces);
+    const SurfaceTree upper(points_, left.triangles);
     for (const int v : outline)
-      if (int f = -1; lies_over(v, upper, left, distance_, 1e-6 * edges_[at(v)], &f)) kept_[at(number[at(f)])] = 0;
+      if (int f = -1; lies_over(v, upper, left.triangles, distance_, 1e-6 * edges_[at(v)], &f))
+        kept_[at(left.number[at(f)])] = 0;
+  }
+
+  /// Triangles with two edges that came free, and those that are so then.
+  void remove_teeth(const std::vector<int>& faces) {
+    const auto edge = [&](int f, std::size_t c) -> std::pair<int, int> {
+      return std::minmax({triangles_[at(f)][c], triangles_[at(f)][(c + 1) % 3]});
+    };
+    for (bool any = true; std::exchange(any, false);) {
+      std::set<std::pair<int, int>> free;
+      for (const int f : faces)
+        for (std::size_t c = 0; c < 3 && !kept_[at(f)]; ++c) free.insert(edge(f, c));
+      for (const int f : faces) {
+        if (!kept_[at(f)] || free.contains(edge(f, 0)) + free.contains(edge(f, 1)) + free.contains(edge(f, 2)) < 2)
+          continue;
+        kept_[at(f)] = 0;
+        any = true;
+      }
+    }
   }
 
   const Points& points_;
@@ -200,6 +262,12 @@ class Overlap {
   std::vector<Part> parts_;        ///< by falling area
   std::vector<std::size_t> rank_;  ///< of each triangle's part among them
   TriangleIndex index_;
+};
+
+enum class Outcome {
+  laid,
+  later,       ///< only beside strips that were laid
+  impossible,  ///< each cuts the surface
 };
 
 /// A row of boundary vertices that came free, in the order of its loop.
@@ -230,73 +298,107 @@ std::vector<FreeRow> free_rows(const SurfaceModel& model, const std::vector<char
   return rows;
 }
 
-/// Joins parts of the surface along rows that came free.
+/// Strips from rows that came free to the nearest other part, each of which leaves what stands untouched.
 class Joiner {
  public:
-  Joiner(const SurfaceModel& model, const std::function<void(TriangleSoup)>& replace)
+  /// @param part_of  of each point before any strip was laid
+  Joiner(const SurfaceModel& model, const std::vector<int>& part_of)
       : model_(model),
-        replace_(replace) {
-    int count = 0;
-    part_of_ = parts_of_points(model, count);
+        part_of_(part_of),
+        maker_(model),
+        index_(model.soup.points, model.soup.triangles),
+        soup_(model.soup),
+        is_taken_(model.soup.points.size(), 0) {
+    std::vector<std::pair<TreePoint, int>> entries;
+    for (const BoundaryLoop& loop : maker_.loops())
+      for (const int v : loop.vertices)
+        if (const int point = model.soup_vertex[at(v)];
+            loop.vertices.size() >= fewest_in_a_row && at(point) < part_of.size())
+          entries.emplace_back(tree_point(model.soup.points[at(point)]), point);
+    boundary_ = PointTree(entries);
   }
 
-  /// @returns how many strips were laid.
-  std::size_t join(const FreeRow& row) {
-    if (row.is_closed) return bridge(row.points);
-    if (row.points.size() < fewest_in_a_row) return 0;
-    const auto half = static_cast<std::ptrdiff_t>(row.points.size() / 2);
-    return bridge({row.points.begin() + from_corner, row.points.begin() + half}) +
-           bridge({row.points.rbegin() + from_corner, row.points.rbegin() + half});
+  /// From the first of these points from which a strip cuts nothing.
+  Outcome bridge(const std::vector<int>& from) {
+    Outcome outcome = Outcome::impossible;
+    for (std::size_t k = 0; k < std::min(most_tries, from.size()); ++k) {
+      const int to = nearest_of_another(from[k]);
+      if (to < 0) return outcome;
+      try {
+        const BridgeStrip strip = maker_.strip(from[k], to);
+        if (meets_another(strip)) {
+          outcome = Outcome::later;
+          continue;
+        }
+        const std::size_t points = soup_.points.size(), triangles = soup_.triangles.size();
+        append(soup_, strip, model_.soup.points.size());
+        if (cuts_surface(triangles)) {
+          soup_.points.resize(points);
+          soup_.colors.resize(soup_.colors.empty() ? 0 : points);
+          soup_.triangles.resize(triangles);
+          continue;
+        }
+        for (const Triangle& t : strip.triangles)
+          for (const int v : t)
+            if (at(v) < is_taken_.size()) is_taken_[at(v)] = 1;
+        return Outcome::laid;
+      } catch (const InvalidArgument&) {  // both ends have a vertex in common
+      }
+    }
+    return outcome;
   }
+
+  /// With the strips; their points and triangles come last.
+  TriangleSoup take_soup() { return std::move(soup_); }
 
  private:
   /// The boundary vertex of another part that is nearest; −1 where there is none.
   int nearest_of_another(int from) const {
-    int nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
-    const Points& points = model_.soup.points;
-    for (const BoundaryLoop& loop : find_boundary_loops(model_))
-      for (const int v : loop.vertices) {
-        const int point = model_.soup_vertex[at(v)];
-        if (at(point) >= part_of_.size() || part_of_[at(point)] == part_of_[at(from)]) continue;
-        const double apart = (points[at(point)] - points[at(from)]).squaredNorm();
-        if (apart < least) least = apart, nearest = point;
-      }
-    return nearest;
+    const auto is_of_another = [&](const std::pair<TreePoint, int>& entry) {
+      return part_of_[at(entry.second)] != part_of_[at(from)];
+    };
+    const auto query =
+        bg::index::nearest(tree_point(model_.soup.points[at(from)]), 1) && bg::index::satisfies(is_of_another);
+    const auto found = boundary_.qbegin(query);
+    return found == boundary_.qend() ? -1 : found->second;
   }
 
-  /// From the first of these points from which a strip cuts nothing. @returns how many were laid: 0 or 1
-  std::size_t bridge(const std::vector<int>& from) {
-    for (std::size_t k = 0; k < std::min(most_tries, from.size()); ++k) {
-      const int to = nearest_of_another(from[k]);
-      if (to < 0) return 0;
-      try {
-        HandBridge bridge = with_bridge(model_, from[k], to);
-        if (cuts_surface(bridge.soup)) continue;
-        replace_(std::move(bridge.soup));
-        return 1;
-      } catch (const InvalidArgument&) {  // both ends have a vertex in common
-      }
-    }
-    return 0;
+  /// Whether it has a vertex in common with a strip that was laid.
+  bool meets_another(const BridgeStrip& strip) const {
+    return std::ranges::any_of(strip.triangles, [&](const Triangle& t) {
+      return std::ranges::any_of(t, [&](int v) { return at(v) < is_taken_.size() && is_taken_[at(v)]; });
+    });
   }
 
-  /// Whether the triangles beyond those of the model do, or cut each other.
-  bool cuts_surface(const TriangleSoup& soup) const {
-    const auto first_new = soup.triangles.begin() + static_cast<std::ptrdiff_t>(model_.soup.triangles.size());
-    Triangles triangles(first_new, soup.triangles.end());
+  /// Whether the soup's triangles from this one on cut others or themselves.
+  bool cuts_surface(std::size_t first) const {
+    Triangles triangles(soup_.triangles.begin() + static_cast<std::ptrdiff_t>(first), soup_.triangles.end());
     const auto count = static_cast<int>(triangles.size());
     Eigen::AlignedBox3d strip;
-    for (const Triangle& t : triangles) strip.extend(box_of(soup.points, t));
-    std::copy_if(soup.triangles.begin(), first_new, std::back_inserter(triangles),
-                 [&](const Triangle& t) { return box_of(soup.points, t).intersects(strip); });
-    return !self_intersections(soup.points, triangles, count).empty();
+    for (const Triangle& t : triangles) strip.extend(box_of(soup_.points, t));
+    for (const int f : index_.near_box(strip.min(), strip.max())) triangles.push_back(soup_.triangles[at(f)]);
+    for (std::size_t f = model_.soup.triangles.size(); f < first; ++f) triangles.push_back(soup_.triangles[f]);
+    const TriangleSoup compact = used_alone(soup_.points, triangles);
+    return !self_intersections(compact.points, compact.triangles, count).empty();
   }
 
   const SurfaceModel& model_;
-  const std::function<void(TriangleSoup)>& replace_;
-  std::vector<int> part_of_;  ///< of each point before any strip was laid
+  const std::vector<int>& part_of_;
+  BridgeMaker maker_;
+  TriangleIndex index_;
+  TriangleSoup soup_;           ///< with the strips
+  std::vector<char> is_taken_;  ///< points at which a strip ends
+  PointTree boundary_;
 };
+
+/// Where the strips of a row may begin, the best place first: of a closed row there is one, else one at either end.
+std::vector<std::vector<int>> strip_starts(FreeRow row) {
+  if (row.is_closed) return {std::move(row.points)};
+  if (row.points.size() < fewest_in_a_row) return {};
+  const auto half = static_cast<std::ptrdiff_t>(row.points.size() / 2);
+  return {{row.points.begin() + from_corner, row.points.begin() + half},
+          {row.points.rbegin() + from_corner, row.points.rbegin() + half}};
+}
 
 }  // namespace
 
@@ -312,8 +414,33 @@ JoinedTiles join_tiles(const SurfaceModel& model, double distance, const std::fu
     if (!kept[f])
       for (const int v : model.soup.triangles[f]) is_free[at(v)] = 1;
   replace(with_faces(model.soup, kept));
-  Joiner joiner(model, replace);
-  for (const FreeRow& row : free_rows(model, is_free)) joined.bridges += joiner.join(row);
+  int count = 0;
+  const std::vector<int> part_of = parts_of_points(model, count);
+  struct Start {
+    std::vector<int> points;
+    std::size_t row;
+  };
+  std::vector<Start> open;
+  std::set<std::size_t> apart;  // rows without a strip
+  std::vector<FreeRow> rows = free_rows(model, is_free);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::vector<int>& points : strip_starts(std::move(rows[row]))) {
+      open.push_back({std::move(points), row});
+      apart.insert(row);
+    }
+  for (std::size_t laid = 1; laid > 0 && !open.empty(); joined.bridges += laid) {
+    laid = 0;
+    Joiner joiner(model, part_of);
+    std::vector<Start> later;  // beside strips that were laid
+    for (Start& start : open) {
+      const Outcome outcome = joiner.bridge(start.points);
+      if (outcome == Outcome::laid) ++laid, apart.erase(start.row);
+      if (outcome == Outcome::later) later.push_back(std::move(start));
+    }
+    if (laid > 0) replace(joiner.take_soup());
+    open = std::move(later);
+  }
+  joined.open_gaps = apart.size();
   return joined;
 }
 

@@ -13,6 +13,7 @@ struct JoinedTiles {
   std::size_t removed_faces = 0;  ///< of a smaller tile, where a larger one lies
   std::size_t removed_parts = 0;  ///< that lay on a larger one altogether
   std::size_t bridges = 0;        ///< strips between the outlines; their points and faces come last
+  std::size_t open_gaps = 0;      ///< that no strip crosses, since each would cut the surface
 };
 
 /// The larger of two parts of the surface keeps its faces. The other one, if it is open and has eight faces or more, loses those with a vertex over it: within `distance` of it

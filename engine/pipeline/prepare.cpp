@@ -26,7 +26,7 @@ TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
   if (a < 0 || b < 0 || a >= count || b >= count)
     throw InvalidArgument(say("bridge (%1, %2): the mesh has %3 vertices, numbered from 0", a, b, count));
   try {
-    return with_bridge(model, a, b).soup;
+    return with_bridge(model, a, b);
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(say("bridge (%1, %2): %3", a, b, error.message()));
   }

@@ -87,9 +87,9 @@ py::dict union_figures(const UnionCounts& united) {
 py::dict preparation(const FilledScan& done) {
   py::dict counts;
   if (done.prepared.tiles.removed_faces > 0)
-    counts["joined_tiles"] =
-        py::dict("removed_faces"_a = done.prepared.tiles.removed_faces,
-                 "removed_parts"_a = done.prepared.tiles.removed_parts, "strips"_a = done.prepared.tiles.bridges);
+    counts["joined_tiles"] = py::dict(
+        "removed_faces"_a = done.prepared.tiles.removed_faces, "removed_parts"_a = done.prepared.tiles.removed_parts,
+        "strips"_a = done.prepared.tiles.bridges, "open_gaps"_a = done.prepared.tiles.open_gaps);
   if (done.prepared.stitched)
     counts["stitched"] = py::dict("joined_vertices"_a = done.prepared.stitched->joined_vertices,
                                   "split_faces"_a = done.prepared.stitched->split_faces,

@@ -288,7 +288,7 @@ void ToolsTest::a_bridge_parts_a_hole_in_two() {
   QCOMPARE(window.document().scans(), std::vector<int>{1});
   QCOMPARE(window.document().loop_count() - window.document().first_loop_of(1), 2);
 
-  QVERIFY(same(made(window), with_bridge(before, soup[a], soup[b]).soup));
+  QVERIFY(same(made(window), with_bridge(before, soup[a], soup[b])));
 
   // One of the two holes alone can be filled.
   window.selection().select({window.document().first_loop_of(1)});

@@ -73,7 +73,7 @@ TEST(AppendColoredPatch, ABridgeRunsFromColorToColor) {
   const SurfaceModel model = painted(open_sphere(), slope);
   const std::vector<int> loop = find_boundary_loops(model).front().vertices;
   const auto soup_point = [&](std::size_t k) { return model.soup_vertex[loop[k]]; };
-  const TriangleSoup soup = with_bridge(model, soup_point(0), soup_point(loop.size() / 2)).soup;
+  const TriangleSoup soup = with_bridge(model, soup_point(0), soup_point(loop.size() / 2));
   ASSERT_GT(soup.points.size(), model.soup.points.size());
   ASSERT_EQ(soup.colors.size(), soup.points.size());
   for (std::size_t v = model.soup.points.size(); v < soup.points.size(); ++v)

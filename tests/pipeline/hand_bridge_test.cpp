@@ -23,7 +23,7 @@ TEST(HandBridge, PartsAHoleIntoTwoThatCloseToASphere) {
   const BoundaryLoop hole = find_boundary_loops(model).at(0);
   const int half = hole.edges() / 2;
   const int a = model.soup_vertex[hole.vertices[0]], b = model.soup_vertex[hole.vertices[half]];
-  const TriangleSoup soup = with_bridge(model, a, b).soup;
+  const TriangleSoup soup = with_bridge(model, a, b);
   for (std::size_t v = 0; v < model.soup.points.size(); ++v) EXPECT_EQ(soup.points[v], model.soup.points[v]);
   SurfaceModel bridged = make_surface_model(soup);
   const std::vector<BoundaryLoop> loops = find_boundary_loops(bridged);
@@ -47,7 +47,7 @@ TEST(HandBridge, TeethOfTheBoundaryDoNotTwistTheStrip) {
   int parts = 0, sound = 0;
   for (std::size_t k = 0; k < n / 2; k += 4) {
     const int a = model.soup_vertex[hole->vertices[k]], b = model.soup_vertex[hole->vertices[k + n / 2]];
-    SurfaceModel bridged = make_surface_model(with_bridge(model, a, b).soup);
+    SurfaceModel bridged = make_surface_model(with_bridge(model, a, b));
     for (const HoleResult& result : fill_all_holes(bridged)) {
       if (result.loop.edges() < static_cast<int>(n) / 3) continue;  // what the teeth left beside the hole
       ++parts;
@@ -64,7 +64,7 @@ TEST(HandBridge, MakesOneLoopOfTwo) {
   const std::vector<BoundaryLoop> ends = find_boundary_loops(model);
   ASSERT_EQ(ends.size(), 2u);
   const TriangleSoup soup =
-      with_bridge(model, model.soup_vertex[ends[0].vertices[0]], model.soup_vertex[ends[1].vertices[0]]).soup;
+      with_bridge(model, model.soup_vertex[ends[0].vertices[0]], model.soup_vertex[ends[1].vertices[0]]);
   EXPECT_EQ(find_boundary_loops(make_surface_model(soup)).size(), 1u);
 }
 

@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace loopmend {
 namespace {
@@ -96,6 +99,61 @@ TEST(JoinTiles, LeavesWhatLiesApartOrLooksTheOtherWay) {
   EXPECT_EQ(join(plate, 0.03).removed_faces, 0U);
   SurfaceModel beside = make_surface_model(joined({tile(0, 0, 0, 20), tile(2.2, 0, 0, 20)}));
   EXPECT_EQ(join(beside, 0.03).removed_faces, 0U);
+}
+
+/// A tile with ripples that are higher than the length.
+TriangleSoup rippled_tile() {
+  TriangleSoup soup = tile(1.2, 0, 0.003, 40);
+  for (Vec3& p : soup.points) p.z() += 0.03 * std::sin(60 * p.x()) * std::sin(50 * p.y());
+  return soup;
+}
+
+TEST(JoinTiles, LeavesNoFaceThatCutsALargerTile) {
+  SurfaceModel model = make_surface_model(joined({tile(0, 0, 0, 45), rippled_tile()}));
+  EXPECT_GT(join(model, 0.01).removed_faces, 0U);
+  EXPECT_TRUE(self_intersections(model.soup.points, model.soup.triangles, static_cast<int>(model.soup.triangles.size()))
+                  .empty());
+}
+
+/// Triangles with one neighbour at most.
+std::size_t ears(const TriangleSoup& soup) {
+  std::map<std::pair<int, int>, int> faces;
+  const auto edge = [](const Triangle& t, std::size_t c) -> std::pair<int, int> {
+    return std::minmax({t[c], t[(c + 1) % 3]});
+  };
+  for (const Triangle& t : soup.triangles)
+    for (std::size_t c = 0; c < 3; ++c) ++faces[edge(t, c)];
+  return static_cast<std::size_t>(std::ranges::count_if(soup.triangles, [&](const Triangle& t) {
+    return (faces[edge(t, 0)] == 1) + (faces[edge(t, 1)] == 1) + (faces[edge(t, 2)] == 1) >= 2;
+  }));
+}
+
+TEST(JoinTiles, LeavesNoTeethAtTheCut) {
+  const std::vector<TriangleSoup> tiles{tile(0, 0, 0, 45), rippled_tile()};
+  SurfaceModel model = make_surface_model(joined(tiles));
+  join(model, 0.01);
+  EXPECT_LE(ears(model.soup), ears(tiles[0]) + ears(tiles[1]));
+}
+
+/// Triangles with a back: the edges of a strip to one would have three faces.
+TEST(JoinTiles, LaysNoStripToAScrap) {
+  TriangleSoup scraps;
+  for (int k = -9; k <= 9; ++k) {
+    const double y = 0.1 * k, z = height(0.78, y);
+    const int first = static_cast<int>(scraps.points.size());
+    for (const Vec3& p : {Vec3(0.77, y, z), Vec3(0.78, y - 0.01, z), Vec3(0.78, y + 0.01, z)})
+      scraps.points.push_back(p);
+    scraps.triangles.push_back({first, first + 1, first + 2});
+    scraps.triangles.push_back({first, first + 2, first + 1});
+  }
+  SurfaceModel model = make_surface_model(joined({tile(0, 0, 0, 20), tile(1.8, 0, 0.005, 23), scraps}));
+  EXPECT_EQ(join(model, 0.03).bridges, 2U);
+  std::map<std::pair<int, int>, int> faces;
+  for (const Triangle& t : model.soup.triangles)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int v = t[c], w = t[(c + 1) % 3];
+      EXPECT_LE(++faces[std::minmax({v, w})], 2);
+    }
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(RimPairs, AGapBetweenSheetsAndTheStripsThatMakeAHoleOfIt) {
       ASSERT_EQ(pairs[0].kind, RimPair::Kind::gap);
       EXPECT_NEAR(pairs[0].width, width, 1e-9);
       SurfaceModel bridged = model;
-      for (const auto& [a, b] : pairs[0].bridges) bridged = make_surface_model(with_bridge(bridged, a, b).soup);
+      for (const auto& [a, b] : pairs[0].bridges) bridged = make_surface_model(with_bridge(bridged, a, b));
       const std::vector<BoundaryLoop> loops = find_boundary_loops(bridged);
       ASSERT_EQ(loops.size(), 2U);
       EXPECT_EQ(loops[1].kind, LoopKind::hole);
