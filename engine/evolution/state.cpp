@@ -6,6 +6,7 @@
 #include "operators/curvature_energy.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -35,13 +36,28 @@ double measure_of(const Objective& objective, const Patch& patch, const Operator
 
 namespace {
 
+/// Adds the vertices whose H the ΔH around the free vertices reads: further rings than most where a fit had to be widened.
+/// @returns whether there were any.
+bool add_read(const OperatorSet& ops, int free_count, std::vector<char>& wanted) {
+  std::vector<char> reads_H(wanted.size(), 0);
+  for (int e = 0; e < ops.offset[free_count]; ++e) reads_H[ops.index[e]] = 1;
+  bool any = false;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    for (int e = ops.offset[i]; reads_H[i] && e < ops.offset[i + 1]; ++e)
+      any |= !std::exchange(wanted[ops.index[e]], 1);
+  return any;
+}
+
 OperatorSet fitted(const Patch& patch, const Topology& topology, const Objective& objective, Stencil stencil, Fits fits,
                    const KnownFits& known = {}) {
   std::vector<char> wanted(patch.vertex_count());
   for (int i = 0; i < patch.vertex_count(); ++i) wanted[i] = patch.ring[i] <= objective.reach;
   const auto compute =
       fits == Fits::operators || objective.flow == FlowKind::sdf ? compute_operators : compute_curvatures;
-  return compute(patch.positions, patch.triangles, topology, stencil, wanted, known);
+  OperatorSet ops = compute(patch.positions, patch.triangles, topology, stencil, wanted, known);
+  if (objective.reach == flow_reach && !ops.offset.empty() && add_read(ops, patch.free_count, wanted))
+    ops = compute(patch.positions, patch.triangles, topology, stencil, wanted, {&ops, 0});
+  return ops;
 }
 
 EvolutionState state_of(Patch patch, const Objective& objective, Stencil stencil,

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -38,6 +39,37 @@ TEST(FlowTerms, ConstantMeanCurvatureIsStationaryForMmcvfSdfAndTheSphereForWf) {
     EXPECT_LT(flow_velocity(flow, sphere).norm(), 0.02 * flow_velocity(flow, bumps).norm()) << to_string(flow);
   // MCF does move it: inwards with speed 1/R, H = −1/R and n outward.
   EXPECT_NEAR(flow_velocity(FlowKind::mcf, sphere).mean(), -exact.patch.scale, 0.01 * exact.patch.scale);
+}
+
+/// Two rings around a vertex that lie almost on a line determine no quadratic: its fit reaches on, and H is read one ring further
+/// off than else.
+TEST(FlowTerms, EveryMeanCurvatureThatIsReadIsFitted) {
+  Patch patch = test::exact_sphere_patch(4, 0.85);
+  const Topology topology(patch.vertex_count(), patch.triangles);
+  std::vector<int> near;
+  std::vector<char> mark(patch.positions.size(), 0);
+  int v = 0;
+  const auto is_at_loop = [&](int i) { return patch.ring[i] == 1; };
+  for (topology.k_ring(v, 1, near, mark); std::ranges::none_of(near, is_at_loop);) topology.k_ring(++v, 1, near, mark);
+  topology.k_ring(v, 2, near, mark);
+  const Vec3 center = patch.positions[v], along = center.unitOrthogonal();
+  for (const int i : near) {
+    const Vec3 apart = patch.positions[i] - center;
+    patch.positions[i] = center + along.dot(apart) * along + 1e-6 * apart;
+  }
+  const EvolutionState state = make_state(std::move(patch), {}, Stencil::two_ring);
+  const OperatorSet& ops = state.ops;
+  std::vector<char> is_read(state.patch.ring.size(), 0);
+  for (int e = 0; e < ops.offset[state.patch.free_count]; ++e) is_read[ops.index[e]] = 1;
+  int farthest = 0, unknown = 0;
+  for (int i = 0; i < state.patch.vertex_count(); ++i)
+    for (int e = ops.offset[i]; is_read[i] && e < ops.offset[i + 1]; ++e) {
+      const int ring = state.patch.ring[ops.index[e]];
+      farthest = std::max(farthest, ring);
+      unknown += ring > flow_reach && !ops.valid[ops.index[e]];
+    }
+  EXPECT_GT(farthest, flow_reach);
+  EXPECT_EQ(unknown, 0);
 }
 
 /// The upper part of a bumpy sphere, with the triangles of the icosphere: an initial patch's irregular ones would blur the sixth
