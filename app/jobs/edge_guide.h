@@ -23,7 +23,7 @@ class EdgeGuide : public QObject {
     enum class Kind {
       continued,   ///< by itself
       drawn,       ///< by hand
-      not_fitting  ///< drawn, but the surfaces beside it do not meet there
+      not_fitting  ///< drawn, but no sharp edge was found there
     } kind = Kind::continued;
     int scan = 0;
     Points line;               ///< scene's frame

@@ -40,7 +40,7 @@ void EdgesBox::follow() {
   if (const int n = count(Kind::continued); n > 0) text << tr("%Ln edge(s) run on by themselves.", nullptr, n);
   if (const int n = count(Kind::drawn); n > 0) text << tr("%Ln edge(s) drawn.", nullptr, n);
   if (const int n = count(Kind::not_fitting); n > 0)
-    text << tr("%Ln drawn edge(s) do not fit: the surfaces beside them do not meet there.", nullptr, n);
+    text << tr("%Ln drawn edge(s) do not fit: no sharp edge was found there.", nullptr, n);
   if (text.isEmpty()) text << tr("No sharp edge runs on across these holes.");
   found_->setText(text.join(QLatin1Char(' ')));
   restore_->setEnabled(guide_.has_edits());

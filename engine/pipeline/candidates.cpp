@@ -198,8 +198,7 @@ Message reason_of_cut(const Situation& s) {
 /// Of edges that a person drew, or that the scan has, where no patch was made that continues them.
 Message why_no_edges(const Situation& s, const LoopEdits& edits) {
   if (s.sharp || !continues_edges(s.options)) return {};
-  if (!edits.drawn.empty())
-    return say("no sharp edge fits where one was drawn: the surfaces beside it do not meet there");
+  if (!edits.drawn.empty()) return say("no sharp edge was found where one was drawn");
   if (!s.has_clear_edges || !edits.empty()) return {};
   return say("sharp edges of the scan end at this hole and were not continued: --draw-edge draws them");
 }
