@@ -90,6 +90,25 @@ Points seen_along_an_axis(Points outline) {
   return outline;
 }
 
+/// The least folded triangles over an outline, as if the surface went on beyond it.
+Triangles least_folded(const Points& outline, const SideSurface& surface) {
+  const std::size_t n = outline.size();
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < n; ++i) area += outline[i].cross(outline[(i + 1) % n]);
+  Points points = outline;
+  Triangles beyond;
+  std::vector<int> loop;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 &p = outline[i], &q = outline[(i + 1) % n], middle = (p + q) / 2;
+    Vec3 normal = surface.normal_at(surface.foot(middle));
+    if (normal.dot(area) < 0) normal = -normal;
+    points.push_back(middle + (q - p).cross(normal));
+    loop.push_back(static_cast<int>(i));
+    beyond.push_back({static_cast<int>((i + 1) % n), static_cast<int>(i), static_cast<int>(n + i)});
+  }
+  return triangulate_loop(points, beyond, loop, {}, TriangulationMethod::cubic);
+}
+
 /// Triangles of a part over places of its outline; none where it is not to be had.
 Triangles triangulated(const Points& outline, const SideSurface& surface) {
   std::vector<int> all(outline.size());
@@ -97,9 +116,8 @@ Triangles triangulated(const Points& outline, const SideSurface& surface) {
   Points flat;
   for (const Vec3& p : outline) flat.push_back(surface.in_plane(p));
   flat = seen_along_an_axis(std::move(flat));
-  Triangles triangles = triangulate_seen_flat(flat, all);
-  if (triangles.empty()) triangles = triangulate_loop(outline, {}, all, {}, TriangulationMethod::cubic);
-  return triangles;
+  const Triangles triangles = triangulate_seen_flat(flat, all);
+  return triangles.empty() ? least_folded(outline, surface) : triangles;
 }
 
 Points feet_of(const Points& points, int locked, const SideSurface& surface) {

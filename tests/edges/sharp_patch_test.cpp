@@ -332,6 +332,15 @@ TEST(SharpEdges, AnEdgeThatIsDrawnRunsAcross) {
   EXPECT_GT(rms({}), 1e-3);
 }
 
+/// Seen along the normal of its side, the outline of a part crosses itself.
+TEST(SharpEdges, APartThatIsNotSimpleSeenFlatIsMeshed) {
+  const TriangleSoup scan = with_noise(without_ball(test::make_cube(40), {1, 1, 0.5}, 0.3), 0.008);
+  const SurfaceModel model = make_surface_model(scan);
+  const std::vector<ContinuedEdge> edges = continued_edges(model, find_boundary_loops(model)[0], {}, 1, {});
+  ASSERT_EQ(edges.size(), 1U);
+  for (const Vec3& p : edges[0].line) EXPECT_LT((p.head<2>() - Eigen::Vector2d(1, 1)).norm(), 4 * 0.008);
+}
+
 TEST(SharpEdges, AnEdgeThatIsStoppedIsRounded) {
   const TriangleSoup scan = without_ball(test::make_cube(24), {1, 1, 0.5}, 0.2);
   FillOptions options;
