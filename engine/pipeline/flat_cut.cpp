@@ -51,6 +51,9 @@ constexpr double reach_of_quadric = 1.5, off_quadric = 0.005, noises_off_quadric
 /// (0 to 0.0005; 0.14 to 0.39) and a barrel (0.53), which ends.
 constexpr double on_quadric = 0.001, lowest_dome = 0.1, highest_dome = 0.45;
 constexpr std::size_t most_fits = 200;
+/// A loop so many times as long as wide is seen as if it were round: else its two ends are no more than a torn share. The ends
+/// of a slot along a tube, whose wall does not lean there, are below a tenth of its length from nine widths on.
+constexpr double long_loop = 3;
 
 double reach_of(const BoundaryLoop& loop, const LoopFacing& facing) {
   const double edges = edges_of_fit * loop.perimeter / loop.edges();
@@ -119,6 +122,7 @@ class Profiles {
         axis_(facing.onward.dot(facing.axis) < 0 ? Vec3(-facing.axis) : facing.axis),
         reach_(reach_of(loop, facing)) {
     for (std::size_t k = 0; k < loop.vertices.size(); ++k) has_long_edges_ = has_long_edges_ || is_long(k);
+    find_longest_direction();
   }
 
   Profile at(std::size_t k) const {
@@ -136,13 +140,16 @@ class Profiles {
   }
 
   /// Weights of a vertex and of the edge to the next one: 1 and 0. Where a loop has edges so long that their ends say
-  /// little of them, lengths in mean edges.
+  /// little of them, lengths in mean edges. Of a long loop, times what is left of the edges where it is seen round.
   double weight_at(std::size_t k) const {
-    if (!has_long_edges_) return 1;
-    const auto of_short = [&](std::size_t edge) { return is_long(edge) ? 0 : length(edge); };
-    return (of_short(k) + of_short((k + loop_.vertices.size() - 1) % loop_.vertices.size())) / 2 / mean_edge();
+    const std::size_t before = (k + loop_.vertices.size() - 1) % loop_.vertices.size();
+    const auto weight = [&](std::size_t edge) {
+      const double lengths = has_long_edges_ ? length(edge) / mean_edge() : 1;
+      return has_long_edges_ && is_long(edge) ? 0 : lengths * seen_round(edge);
+    };
+    return (weight(k) + weight(before)) / 2;
   }
-  double weight_after(std::size_t k) const { return is_long(k) ? length(k) / mean_edge() : 0; }
+  double weight_after(std::size_t k) const { return is_long(k) ? length(k) / mean_edge() * seen_round(k) : 0; }
   double steepness_after(std::size_t k) const { return facing_.edge_conormals[k].dot(axis_); }
   double steepness_of_face(std::size_t k) const { return facing_.conormals[k].dot(axis_); }
   /// Whether the surface leaves the loop away from its center, as the wall of a bell.
@@ -197,6 +204,36 @@ class Profiles {
   }
 
  private:
+  void find_longest_direction() {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const int v : loop_.vertices) {
+      const Vec3 d = mesh_.point(TriMesh::VertexHandle(v)) - facing_.center;
+      spread += d * d.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    const Vec3 along = axes.eigenvectors().col(2), across = axes.eigenvectors().col(1);
+    double length = 0, width = 0;
+    for (const int v : loop_.vertices) {
+      const Vec3 d = mesh_.point(TriMesh::VertexHandle(v)) - facing_.center;
+      length = std::max(length, std::abs(along.dot(d)));
+      width = std::max(width, std::abs(across.dot(d)));
+    }
+    constexpr int fewest_seen_round = 20;
+    if (length < long_loop * width || loop_.edges() < fewest_seen_round) return;
+    longest_ = along;
+    shrunk_ = width / length;
+  }
+  /// Of a stretch of the boundary around an edge, what is left where a long loop is shrunk to its width; 1 for other loops. A single
+  /// edge of a ragged side may run across.
+  double seen_round(std::size_t k) const {
+    constexpr std::size_t beside = 4;
+    if (shrunk_ == 1) return 1;
+    const std::size_t n = loop_.vertices.size();
+    const auto point = [&](std::size_t i) { return mesh_.point(TriMesh::VertexHandle(loop_.vertices[i % n])); };
+    const Vec3 chord = (point(k + 1 + beside) - point(k + n - beside)).normalized();
+    return (chord - (1 - shrunk_) * longest_.dot(chord) * longest_).norm();
+  }
+
   double mean_edge() const { return loop_.perimeter / loop_.edges(); }
   /// Of the boundary edge to the next vertex, mesh units.
   double length(std::size_t k) const {
@@ -259,6 +296,8 @@ class Profiles {
   Vec3 axis_;  ///< to the side to which the surface runs on
   double reach_;
   bool has_long_edges_ = false;
+  Vec3 longest_ = Vec3::Zero();  ///< unit: direction in which a long loop is longest
+  double shrunk_ = 1;            ///< its width over its length; 1 for other loops
 };
 
 /// @param shares  curvature of each profile in that of a ball.
@@ -283,10 +322,10 @@ struct Wall {
   /// at the wall and many at the lids.
   std::vector<Weighted> steepness, of_faces;
   std::vector<double> curvatures, noise;  ///< of fits, where there are enough vertices
-  double flaring = 0, places = 0;         ///< where it leaves the loop away from its center, and all
+  double flaring = 0, places = 0;         ///< weights where it leaves the loop away from its center, and of all
   double turning = 0;                     ///< NormalsOfWall::turning()
 
-  bool is_known() const { return 2 * static_cast<double>(curvatures.size()) >= places; }
+  bool is_known() const { return 4 * curvatures.size() >= steepness.size(); }
   bool flares() const { return flaring >= (1 - torn_share) * places; }
 };
 
@@ -306,8 +345,8 @@ Wall read_wall(const Profiles& profiles, const BoundaryLoop& loop) {
     const Weighted face{profiles.steepness_after(k), profiles.weight_after(k)};
     wall.steepness.push_back(face);
     wall.of_faces.push_back(face);
-    ++wall.places;
-    wall.flaring += profiles.flares_at(k);
+    wall.places += weight;
+    wall.flaring += profiles.flares_at(k) ? weight : 0;
     profiles.add_faces_behind(k, normals);
   }
   wall.turning = normals.turning();

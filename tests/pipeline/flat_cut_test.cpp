@@ -239,6 +239,22 @@ TEST(FlatCut, ClosesBothEndsOfAnyStraightTube) {
   EXPECT_EQ(ends, 48);
 }
 
+/// The ends of a slot along a tube are less than a tenth of its boundary: the wall leans along nine tenths.
+TEST(FlatCut, ALongSlotInATubeRunsOn) {
+  for (const double half_width : {0.5, 0.7})
+    for (const double half_length : {5.0, 8.0, 14.0}) {
+      const TriangleSoup tube = make_revolution([](double) { return 1.0; }, -half_length - 2, half_length + 2, 48,
+                                                static_cast<int>(15 * (half_length + 2)));
+      const SurfaceModel model = make_surface_model(cut(tube, [&](const Vec3& p) {
+        return std::abs(std::atan2(p.y(), p.x())) < half_width && std::abs(p.z()) < half_length;
+      }));
+      const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+      const BoundaryLoop& slot = loops.front();
+      ASSERT_GT(slot.diameter, 9) << half_length;
+      EXPECT_EQ(loop_end(model, slot), LoopEnd::runs_on) << half_width << ' ' << half_length;
+    }
+}
+
 /// The side that is out does not matter to what is missing.
 TEST(FlatCut, IsTheSameForASurfaceTurnedInsideOut) {
   for (const double top : {-0.2, 0.5}) {
