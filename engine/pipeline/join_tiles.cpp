@@ -9,6 +9,7 @@
 #include "mesh/self_intersections.h"
 #include "mesh/surface_tree.h"
 #include "pipeline/hand_bridge.h"
+#include "pipeline/tile_outlines.h"
 
 #include <Eigen/Geometry>
 
@@ -46,7 +47,7 @@ struct Part {
   std::vector<int> faces;
   double area = 0;
   Eigen::AlignedBox3d box;
-  bool is_open = false;
+  bool is_open = false, is_tile = false;
 };
 
 Eigen::AlignedBox3d box_of(const Points& points, const Triangle& t) {
@@ -71,7 +72,8 @@ TriangleSoup used_alone(const Points& points, const Triangles& triangles) {
 
 class Overlap {
  public:
-  Overlap(const SurfaceModel& model, double distance)
+  /// @param is_tile  by part, as OverlappingOutlines has it
+  Overlap(const SurfaceModel& model, double distance, const std::vector<char>& is_tile)
       : points_(model.soup.points),
         triangles_(model.soup.triangles),
         distance_(distance),
@@ -85,6 +87,7 @@ class Overlap {
     int count = 0;
     const std::vector<int> part_of = parts_of_points(model, count);
     parts_.resize(at(count));
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k].is_tile = is_tile[k] != 0;
     const auto part_at = [&](int v) -> Part& { return parts_[at(part_of[at(v)])]; };
     for_each_soup_triangle(model, [&](int f) { add(f, part_at(triangles_[at(f)][0])); });
     for (const BoundaryLoop& loop : find_boundary_loops(model))
@@ -101,7 +104,7 @@ class Overlap {
   /// One for each triangle: 0 where it has to go.
   std::vector<char> kept() {
     for (std::size_t k = 1; k < parts_.size(); ++k)
-      if (parts_[k].is_open && parts_[k].faces.size() >= fewest_faces) cut_back(k);
+      if (parts_[k].is_tile && parts_[k].is_open && parts_[k].faces.size() >= fewest_faces) cut_back(k);
     return kept_;
   }
   /// After kept(): of which no face is kept.
@@ -183,7 +186,7 @@ class Overlap {
     Triangles below;
     std::set<int> outline;  // of the larger parts, near this one
     for (const int f : index_.near_box(reach.min(), reach.max())) {
-      if (rank_[at(f)] >= k || !kept_[at(f)]) continue;
+      if (rank_[at(f)] >= k || !kept_[at(f)] || !parts_[rank_[at(f)]].is_tile) continue;
       below.push_back(triangles_[at(f)]);
       for (const int v : below.back())
         if (at_boundary_[at(v)] && reach.contains(points_[at(v)])) outline.insert(v);
@@ -404,7 +407,9 @@ std::vector<std::vector<int>> strip_starts(FreeRow row) {
 
 JoinedTiles join_tiles(const SurfaceModel& model, double distance, const std::function<void(TriangleSoup)>& replace) {
   JoinedTiles joined;
-  Overlap overlap(model, distance);
+  const OverlappingOutlines outlines = find_overlapping_outlines(model, find_boundary_loops(model), distance);
+  if (outlines.count == 0) return joined;
+  Overlap overlap(model, distance, outlines.is_tile);
   const std::vector<char> kept = overlap.kept();
   joined.removed_parts = overlap.removed_parts();
   joined.removed_faces = static_cast<std::size_t>(std::ranges::count(kept, 0));

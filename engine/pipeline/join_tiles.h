@@ -16,7 +16,7 @@ struct JoinedTiles {
   std::size_t open_gaps = 0;      ///< that no strip crosses, since each would cut the surface
 };
 
-/// The larger of two parts of the surface keeps its faces. The other one, if it is open and has eight faces or more, loses those with a vertex over it: within `distance` of it
+/// The larger of two parts that overlap (pipeline/tile_outlines.h) keeps its faces. The other one, if it is open and has eight faces or more, loses those with a vertex over it: within `distance` of it
 /// along its normal, within half an edge of its outline beside it, and looking the same way. Of each row of edges that come free
 /// both ends are joined to the larger part by a strip, which makes a hole of the gap; of a closed row one vertex is. Where a strip
 /// would have its ends at one place, there is none, and the gap stays part of the outline.

@@ -28,10 +28,12 @@ constexpr int fewest_edges_of_a_tile = 8;
 /// A vertex of an outline.
 struct Place {
   Vec3 point, normal;
-  double reach = 0;  ///< length of the edges there
+  double edge = 0;   ///< length of the boundary edge there
+  double reach = 0;  ///< farthest that it lies over a triangle
   int part = 0;
   std::size_t outline = 0;
   std::optional<double> over;  ///< distance from the nearest triangle of another part, over which it lies
+  int over_part = -1;          ///< of that triangle
   bool is_beside = false;      ///< a boundary edge of one
 };
 
@@ -63,12 +65,13 @@ std::optional<double> distance_over(const Place& place, const Vec3& a, const Vec
 /// Whether the point lies at a boundary edge, as vertices of tiles that abut do.
 bool lies_beside(const Place& place, const Vec3& a, const Vec3& b) {
   const double along = std::clamp((place.point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (a + along * (b - a) - place.point).norm() < beside * place.reach;
+  return (a + along * (b - a) - place.point).norm() < beside * place.edge;
 }
 
 }  // namespace
 
-OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                              double distance) {
   std::vector<char> is_asked(loops.size(), 0), at_boundary(model.soup.points.size(), 0);
   for (std::size_t k = 0; k < loops.size(); ++k) {
     is_asked[k] = (loops[k].kind == LoopKind::outer_rim || loops[k].kind == LoopKind::hole) &&
@@ -88,9 +91,13 @@ OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const s
     for (std::size_t i = 0; is_asked[k] && i < vertices.size(); i += stride) {
       const TriMesh::VertexHandle v(vertices[i]), w(vertices[(i + 1) % vertices.size()]);
       const int point = model.soup_vertex[static_cast<std::size_t>(v.idx())];
-      places.push_back({model.mesh.point(v), normal_at(model.mesh, v),
-                        (model.mesh.point(w) - model.mesh.point(v)).norm(), part_of[static_cast<std::size_t>(point)], k,
-                        std::nullopt, false});
+      Place& place = places.emplace_back();
+      place.point = model.mesh.point(v);
+      place.normal = normal_at(model.mesh, v);
+      place.edge = (model.mesh.point(w) - place.point).norm();
+      place.reach = std::max(place.edge, distance);
+      place.part = part_of[static_cast<std::size_t>(point)];
+      place.outline = k;
       farthest = std::max(farthest, places.back().reach);
     }
   }
@@ -114,7 +121,10 @@ OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const s
         place.is_beside |= at_boundary[at(a)] && at_boundary[at(b)] && lies_beside(place, p[at(a)], p[at(b)]);
       }
       const std::optional<double> over = distance_over(place, p[at(t[0])], p[at(t[1])], p[at(t[2])]);
-      if (over && (!place.over || *over < *place.over)) place.over = over;
+      if (over && (!place.over || *over < *place.over)) {
+        place.over = over;
+        place.over_part = part_of[at(t[0])];
+      }
     }
   });
   std::vector<std::size_t> all(loops.size(), 0), over(loops.size(), 0);
@@ -128,9 +138,12 @@ OverlappingOutlines find_overlapping_outlines(const SurfaceModel& model, const s
     is_over[k] = is_asked[k] && static_cast<double>(over[k]) >= least_share * static_cast<double>(all[k]);
     found.count += is_over[k] != 0;
   }
+  found.is_tile.assign(static_cast<std::size_t>(parts), 0);
   for (const Place& place : places)
-    if (is_over[place.outline] && place.over && !place.is_beside)
-      found.distance = std::max({found.distance, 1.5 * *place.over, least_distance * place.reach});
+    if (is_over[place.outline] && place.over && !place.is_beside) {
+      found.distance = std::max({found.distance, 1.5 * *place.over, least_distance * place.edge});
+      for (const int part : {place.part, place.over_part}) found.is_tile[static_cast<std::size_t>(part)] = 1;
+    }
   return found;
 }
 

@@ -101,6 +101,15 @@ TEST(JoinTiles, LeavesWhatLiesApartOrLooksTheOtherWay) {
   EXPECT_EQ(join(beside, 0.03).removed_faces, 0U);
 }
 
+/// Stitching joins these; faces along a crack are no overlap.
+TEST(JoinTiles, LeavesPartsThatAbut) {
+  for (const double gap : {0.0, 1e-6, 0.02})
+    for (const double shift : {0.0, 0.03}) {
+      SurfaceModel model = make_surface_model(joined({tile(0, 0, 0, 20), tile(2 + gap, shift, gap / 4, 20)}));
+      EXPECT_EQ(join(model, 0.05).removed_faces, 0U) << gap << ' ' << shift;
+    }
+}
+
 /// A tile with ripples that are higher than the length.
 TriangleSoup rippled_tile() {
   TriangleSoup soup = tile(1.2, 0, 0.003, 40);
