@@ -162,11 +162,11 @@ void leave_gaps_between_parts(ScanPlan& plan) {
 /// Leaves loops without a name of which --stitch would close more than half: a patch between sides that nearly touch would cross
 /// them.
 void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
-  const bool named = job.loops.names_loops();
-  if (plan.loops.empty() || job.prepare.stitch == PrepareOptions::Stitch::yes) return;
-  plan.coincident = near_boundaries(plan.model);
-  if (named) return;
-  leave_gaps_between_parts(plan);
+  if (plan.loops.empty()) return;
+  const bool stitched = job.prepare.stitch == PrepareOptions::Stitch::yes;
+  if (!stitched) plan.coincident = near_boundaries(plan.model);
+  if (job.loops.names_loops()) return;
+  if (!stitched || job.prepare.stitch_tolerance.edges < wide_gap_in_edges) leave_gaps_between_parts(plan);
   if (plan.coincident.closing.empty()) return;
   const NearBoundaries nearest = near_boundaries(plan.model, {crack_in_edges, std::nullopt});
   for (std::size_t k = 0; k < plan.loops.size(); ++k) {

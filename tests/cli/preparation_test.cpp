@@ -107,9 +107,11 @@ TEST_F(PreparationCommands, AGapBetweenTwoHalvesNamesItsTolerance) {
   TriangleSoup upper = make_revolution(radius, 0, 0.95, 48, 12);  // edges of 0.13 at the equator
   for (Vec3& p : upper.points) p.z() += 0.03;
   write("a.ply", joined({make_revolution(radius, -0.95, 0, 48, 12), upper}));
-  const Outcome run = fill("a.ply");
-  EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, AllOf(HasSubstr("--stitch 30% joins them"), HasSubstr("2 filled")));
+  for (const char* options : {"", "--stitch", "--auto"}) {
+    const Outcome run = fill("a.ply", options);
+    EXPECT_EQ(run.code, 1) << options;
+    EXPECT_THAT(run.out, AllOf(HasSubstr("--stitch 30% joins them"), HasSubstr("2 filled"))) << options;
+  }
   EXPECT_EQ(fill("a.ply", "--stitch 30%").code, 0);
   EXPECT_EQ(written().open_edges, 0U);
   // The ends of a short tube are as near to each other, and each is a hole.
