@@ -2,7 +2,12 @@
 #include "compare/compare_controller.h"
 
 #include "document/labels.h"
+#include "document/preferences.h"
+#include "panels/window_place.h"
 #include "pipeline/problem.h"
+
+#include <QGuiApplication>
+#include <QScreen>
 
 namespace loopmend {
 namespace {
@@ -89,6 +94,7 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
   };
   task.command = holes_words(document_, chosen, density);
   task.source.neighborhood = opened->shape;
+  task.unit = labels::unit_symbol(document_.unit(scan));
   task.source.origin = document_.origin();
   task.accept_help = tr("Put this patch into the holes, in place of what is there; can be undone");
   task.accept = [this, scan, model = opened->model, density](const ComparedRun& start, const ComparedRun& flow_run) {
@@ -113,6 +119,7 @@ CompareWindow* CompareController::compare_trial(ProblemController& trial, const 
   CompareTask task;
   task.source = trial.comparison_source();
   task.command = trial.command();
+  task.unit = labels::unit_symbol(document_.unit());
   task.accept_help = tr("Put this surface into the document, in place of what it came from; can be undone");
   task.accept = [at = QPointer<ProblemController>(&trial)](const ComparedRun&, const ComparedRun& flow_run) {
     return at ? at->adopt(flow_run) : QString();
@@ -124,11 +131,31 @@ CompareWindow* CompareController::compare(CompareTask task, const Look& look) {
   auto flow_comparison = std::make_unique<ComparisonController>(task.source);
   auto* window = new CompareWindow(*flow_comparison, std::move(task), look, window_);
   window->setAttribute(Qt::WA_DeleteOnClose);
+  place(*window);
   open_.emplace_back(window, std::move(flow_comparison));
   connect(window, &QObject::destroyed, this, &CompareController::bury);
   window->show();
   Q_EMIT opened(window);
   return window;
+}
+
+/// Where the last one was, a little aside of one that is open.
+void CompareController::place(CompareWindow& window) const {
+  const bool is_kept = window.restoreGeometry(load_compare_place());
+  if (is_kept && (window.isMaximized() || window.isFullScreen())) return;
+  const QScreen* screen = QGuiApplication::screenAt(window_->geometry().center());
+  if (!screen) screen = QGuiApplication::primaryScreen();
+  QRect place = window.geometry();
+  if (!is_kept) {
+    QRect needed = window_->geometry();
+    if (in_sight_) needed = {in_sight_->mapToGlobal(QPoint(0, 0)), in_sight_->size()};
+    place = place_beside(window_->frameGeometry(), needed, window.size(), window.minimumSizeHint().width(),
+                         screen->availableGeometry().marginsRemoved(usual_frame));
+  }
+  constexpr QPoint aside(30, 30);
+  for (const auto& [other, flow_comparison] : open_)
+    if (other && other->isVisible() && other->geometry().topLeft() == place.topLeft()) place.translate(aside);
+  window.setGeometry(onto_screen(place));
 }
 
 /// A closed comparison goes when its last worker has looked at its token.
@@ -143,6 +170,8 @@ void CompareController::bury() {
 
 bool CompareController::shut_down(std::chrono::milliseconds at_most) {
   bool all = true;
+  for (auto& [window, flow_comparison] : open_)
+    if (window && window->isVisible()) window->keep_place();
   for (auto& [window, flow_comparison] : open_) all = flow_comparison->shut_down(at_most) && all;
   for (auto& flow_comparison : closed_) all = flow_comparison->shut_down(at_most) && all;
   return all;

@@ -30,6 +30,8 @@ class CompareController : public QObject {
   /// The flows on what a tool has posed.
   CompareWindow* compare_trial(ProblemController& trial, const Look& look);
   CompareWindow* compare(CompareTask task, const Look& look);
+  /// A comparison opens beside this part of the main window where the screen is wide enough.
+  void keep_in_sight(const QWidget* part) { in_sight_ = part; }
   /// @returns whether every worker has ended.
   bool shut_down(std::chrono::milliseconds at_most);
 
@@ -38,12 +40,14 @@ class CompareController : public QObject {
   void failed(const QString& words);
 
  private:
+  void place(CompareWindow& window) const;
   void bury();
 
   const Document& document_;
   const HoleSelection& selection_;
   FillController& controller_;
   QWidget* window_;
+  QPointer<const QWidget> in_sight_;
   std::vector<std::unique_ptr<ComparisonController>>
       closed_;  ///< their windows are gone, their workers perhaps not yet
   std::vector<std::pair<QPointer<CompareWindow>, std::unique_ptr<ComparisonController>>> open_;

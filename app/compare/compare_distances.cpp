@@ -65,7 +65,7 @@ void CompareWindow::measure() {
     const QString name = entry == start_entry  ? tr("the start")
                          : entry == mesh_entry ? QFileInfo(mesh_).fileName()
                                                : labels::flow_name(from->flow);
-    legend_->set_distance_words(name, tr("in the scan's unit"));
+    legend_->set_distance_words(name, task_.unit.isEmpty() ? tr("in the scan's unit") : tr("in %1").arg(task_.unit));
   }
   flow_comparison_.measure_from(from);
 }

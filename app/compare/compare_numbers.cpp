@@ -78,9 +78,10 @@ std::vector<std::string> live_row(const ComparedRun& flow_run) {
 
 }  // namespace
 
-CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWidget* parent)
+CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, const QString& unit, QWidget* parent)
     : QWidget(parent),
       flow_comparison_(flow_comparison),
+      unit_(unit.isEmpty() ? tr("length") : unit),
       table_(new QTableWidget),
       which_(new QComboBox),
       energies_(new Plot("compareEnergies", tr("Energy of each flow against the step"))),
@@ -107,25 +108,18 @@ CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, QWid
     for (Plot* plot : {energies_, profiles_})
       plot->add_graph(Plot::Side::left, QString::fromStdString(upper_name(flow)), Plot::Line::solid, ink_of(flow));
   for (Plot* plot : {energies_, profiles_}) plot->set_axis(Plot::Side::left, Plot::Scale::linear);
-  profiles_->leave_out_of_fit(0);    // MCF: a crease's curvature would leave the others flat
-  constexpr int least_height = 190;  // with two lines of legend and a name below
-  for (Plot* plot : {energies_, profiles_}) plot->setMinimumHeight(least_height);
+  profiles_->leave_out_of_fit(0);                       // MCF: a crease's curvature would leave the others flat
+  constexpr int least_width = 320, least_height = 190;  // with two lines of legend and a name below
+  for (Plot* plot : {energies_, profiles_}) plot->setMinimumSize(least_width, least_height);
   energies_->set_name_below(tr("Step"));
-  const auto titled = [](QWidget* title, Plot* plot) {
-    auto* column = new QVBoxLayout;
-    column->setSpacing(3);
-    column->addWidget(title);
-    column->addWidget(plot, 1);
-    return column;
-  };
   which_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   across_title_->setFixedHeight(which_->sizeHint().height());
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 4, 8, 8);
-  row->setSpacing(8);
-  row->addWidget(table_, 0, Qt::AlignTop);
-  row->addLayout(titled(which_, energies_), 1);
-  row->addLayout(titled(across_title_, profiles_), 1);
+  auto* column = make_layout<QVBoxLayout>(this);
+  column->setSpacing(3);
+  column->addWidget(which_);
+  column->addWidget(energies_, 1);
+  column->addWidget(across_title_);
+  column->addWidget(profiles_, 1);
   update_all();
 }
 
@@ -195,9 +189,10 @@ void CompareNumbers::update_energies() {
   }
   constexpr double wide = 20;  // from here on a straight scale shows nothing of the end
   energies_->set_axis(Plot::Side::left, positive && high > wide * low ? Plot::Scale::logarithmic : Plot::Scale::linear);
-  const QString unit = which_->currentIndex() == variation ? tr("1/length\u00b2")
+  const QChar squared(0x00b2);
+  const QString unit = which_->currentIndex() == variation ? QStringLiteral("1/") + unit_ + squared
                        : which_->currentIndex() == bending ? tr("no unit")
-                                                           : tr("length\u00b2");
+                                                           : unit_ + squared;
   energies_->set_axis_name(Plot::Side::left, unit);
   energies_->show_words(moved ? QString() : tr("Run the flows, and their energies are drawn here."));
   energies_->redraw();
@@ -211,8 +206,9 @@ void CompareNumbers::show_across(Across across) {
 void CompareNumbers::update_across() {
   across_title_->setText(across_ == Across::curvature ? tr("H across the seam, patch right of 0")
                                                       : tr("% of vertices at each distance"));
-  profiles_->set_axis_name(Plot::Side::left, across_ == Across::curvature ? tr("H, 1/length") : tr("% of vertices"));
-  profiles_->set_name_below(tr("Distance, length"));  // room for two words
+  profiles_->set_axis_name(Plot::Side::left,
+                           across_ == Across::curvature ? tr("H, 1/%1").arg(unit_) : tr("% of vertices"));
+  profiles_->set_name_below(tr("Distance, %1").arg(unit_));
   across_ == Across::curvature ? update_profiles() : update_histogram();
 }
 

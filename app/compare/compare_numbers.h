@@ -18,14 +18,17 @@ class CompareNumbers : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CompareNumbers(const ComparisonController& flow_comparison, QWidget* parent = nullptr);
+  /// @param unit  of lengths; empty: not known
+  CompareNumbers(const ComparisonController& flow_comparison, const QString& unit, QWidget* parent = nullptr);
 
   /// Everything again.
   void update_all();
   void update_flow_run(int flow_run);
-  /// What the right plot draws.
+  /// What the lower plot draws.
   enum class Across { curvature, distances };
   void show_across(Across across);
+  /// Lies beside the plots, where the window puts it.
+  QTableWidget& table() { return *table_; }
   Plot& energies() { return *energies_; }
   Plot& profiles() { return *profiles_; }
 
@@ -38,6 +41,7 @@ class CompareNumbers : public QWidget {
   void fill_row(int row, const std::vector<std::string>& cells);
 
   const ComparisonController& flow_comparison_;
+  QString unit_;  ///< "length" where it is not known
   QTableWidget* table_;
   QComboBox* which_;
   Plot *energies_, *profiles_;

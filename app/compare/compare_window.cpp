@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/message_words.h"
+#include "document/preferences.h"
 #include "panels/banner.h"
 #include "panels/choices.h"
 #include "panels/parts.h"
@@ -104,23 +105,26 @@ CompareWindow::CompareWindow(ComparisonController& flow_comparison, CompareTask 
   setObjectName(QStringLiteral("compareWindow"));
   setWindowTitle(tr("Compare flows: %1").arg(flow_comparison_.title()));
   resize(QSize(1280, 840).boundedTo(largest_window()));
-  auto* upper = new QWidget;
-  auto* column = new QVBoxLayout(upper);
-  column->setContentsMargins(8, 8, 8, 4);
+  numbers_ = new CompareNumbers(flow_comparison_, task_.unit);
+  auto* left = new QWidget;
+  auto* views = make_layout<QVBoxLayout>(left);
+  views->setSpacing(6);
+  views->addWidget(build_views(), 1);
+  views->addWidget(&numbers_->table());
+  auto* splitter = new QSplitter(Qt::Horizontal);
+  splitter->addWidget(left);
+  splitter->addWidget(numbers_);
+  splitter->setStretchFactor(0, 2);
+  splitter->setStretchFactor(1, 1);
+  splitter->setSizes({840, 420});
+  splitter->setChildrenCollapsible(false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(6);
   column->addWidget(build_run_bar());
   column->addWidget(build_look_bar());
-  column->addWidget(build_views(), 1);
-  numbers_ = new CompareNumbers(flow_comparison_);
-  auto* splitter = new QSplitter(Qt::Vertical);
-  splitter->addWidget(upper);
-  splitter->addWidget(numbers_);
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 1);
-  splitter->setChildrenCollapsible(false);
-  auto* all = make_layout<QVBoxLayout>(this);
-  all->addWidget(splitter);
-  banner_ = new Banner(upper);
+  column->addWidget(splitter, 1);
+  banner_ = new Banner(this);
   wire();
   arrange();
   apply_look();
@@ -196,8 +200,8 @@ QWidget* CompareWindow::build_look_bar() {
   auto* bar = new QWidget;
   auto* row = make_layout<QHBoxLayout>(bar);
   row->setSpacing(8);
-  for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, seams_, own_range_, half_width_, divider(),
-                                                       linked_, framing, divider(), wiping_, left_, right_})
+  for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, seams_, own_range_, half_width_,
+                                                       divider(), linked_, framing, divider(), wiping_, left_, right_})
     row->addWidget(part);
   row->addStretch(1);
   return bar;
@@ -467,6 +471,13 @@ void CompareWindow::copy_command() {
   for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
     flows.push_back(flow_comparison_.flow(flow_run));
   banner_->show_notice(copy_to_clipboard(comparing_command(task_.command, options(), flows)));
+}
+
+void CompareWindow::keep_place() const { save_compare_place(saveGeometry()); }
+
+void CompareWindow::closeEvent(QCloseEvent* event) {
+  keep_place();
+  QWidget::closeEvent(event);
 }
 
 void CompareWindow::keyPressEvent(QKeyEvent* event) {

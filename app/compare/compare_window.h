@@ -33,6 +33,7 @@ class PictureClock;
 struct CompareTask {
   ComparisonSource source;
   ProblemWords command;  ///< the same for a shell
+  QString unit;          ///< "mm"; empty: not known
   QString accept_help;   ///< what taking a result over does, in words
   std::function<QString(const ComparedRun& start, const ComparedRun& flow_run)>
       accept;  ///< does it. @returns what to tell the person
@@ -54,11 +55,14 @@ class CompareWindow : public QWidget {
   QImage picture(const PictureOptions& options);
   /// The table into `path`; curves and profiles beside it. @returns what was written, in words. @throws WriteError
   QString save_numbers(const QString& path) const;
+  /// For the next comparison.
+  void keep_place() const;
   const ComparisonController& flow_comparison() const { return flow_comparison_; }
   FlowView& flow_view(int number) { return *flow_views_[number]; }
   FlowCanvas& wipe() { return *wipe_; }
 
  protected:
+  void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;
 

@@ -80,9 +80,10 @@ FlowView::FlowView(int number, PictureClock& clock, QWidget* parent)
   figures_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   figures_->installEventFilter(this);
   accept_->setFocusPolicy(Qt::TabFocus);
+  accept_->setFixedWidth(accept_->fontMetrics().horizontalAdvance(accept_->text()) + 20);  // the figures need the room
   auto* head = new QHBoxLayout;
   head->setContentsMargins(6, 2, 2, 2);
-  head->setSpacing(8);
+  head->setSpacing(6);
   head->addWidget(swatch_);
   head->addWidget(flow_);
   head->addWidget(figures_, 1);
@@ -116,7 +117,7 @@ void FlowView::show_flow_run(const ComparedRun& flow_run, const QString& accepti
   words_ = stage_words(flow_run);
   QString in_full = words_;
   if (const DistanceSummary off = summary_of(flow_run.distances); off.count > 0) {
-    words_ += tr(" \u00b7 off %1").arg(labels::number(off.rms));
+    words_.prepend(tr("off %1 \u00b7 ").arg(labels::number(off.rms)));  // what the picture shows; last parts go first
     in_full += QLatin1Char('\n') +
                tr("Distance: %1 rms, 95 % within %2, at most %3")
                    .arg(labels::number(off.rms), labels::number(off.nearly_all), labels::number(off.largest));

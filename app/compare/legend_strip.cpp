@@ -36,6 +36,7 @@ void LegendStrip::show_range(const Look& look, double half_width) {
 void LegendStrip::set_distance_words(const QString& from, const QString& unit) {
   from_ = from;
   unit_ = unit;
+  setAccessibleDescription(QStringLiteral("%1, %2").arg(tr("From %1").arg(from), unit));
   update();
 }
 

@@ -99,6 +99,10 @@ RepairDialog::RepairDialog(const Document& document, FillController& controller,
     if (job_ || marking_) return;
     stage.isEmpty() ? tell() : summary_->setText(stage + QChar(0x2026));
   });
+  connect(&controller_, &FillController::done_so_far, this, [this](const QString& words) {
+    if (!job_ && !marking_ && !words.isEmpty())
+      summary_->setText(summary_->text() + QLatin1Char('\n') + tr("So far: %1.").arg(words));
+  });
   count();
 }
 

@@ -81,6 +81,13 @@ void save_window_layout(const WindowLayout& layout) {
   stored.setValue(QStringLiteral("window/docks"), layout.docks);
 }
 
+QByteArray load_compare_place() { return settings().value(QStringLiteral("compare/geometry")).toByteArray(); }
+
+void save_compare_place(const QByteArray& geometry) {
+  QSettings stored = settings();
+  stored.setValue(QStringLiteral("compare/geometry"), geometry);
+}
+
 Look load_look() {
   const QSettings stored = settings();
   const auto whole = [&stored](const char* key, int fallback, int low, int high) {

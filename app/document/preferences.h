@@ -36,6 +36,9 @@ struct WindowLayout {
 };
 WindowLayout load_window_layout();
 void save_window_layout(const WindowLayout& layout);
+/// The place of the comparison window, as Qt writes it; empty: not known yet.
+QByteArray load_compare_place();
+void save_compare_place(const QByteArray& geometry);
 
 /// How surfaces were shown when the window was closed. Without the colour map, which is a preference, ranges in the units of one
 /// scan, and a scan's own colours, which are shown where there are some.

@@ -161,6 +161,7 @@ class FillController : public QObject {
  Q_SIGNALS:
   void activity_changed();
   void stage_changed(const QString& words);
+  void done_so_far(const QString& words);      ///< while a scan is repaired; empty: nothing yet
   void progress_changed(int done, int total);  ///< total 0: not known
   void share_done(double share);               ///< of the work, 0..1; only where it is known
   void seconds_left(double seconds);           ///< an estimate where no share is known
@@ -216,6 +217,8 @@ class FillController : public QObject {
   /// The job has failed.
   void give_up(const QString& text);
   void run_repair(ScanRepair what, std::vector<ScanRepairTask> tasks, const std::optional<FillAndSmooth>& then = {});
+  void show_repair_step(const QString& title, const RepairStep& step);
+  void show_share(double share);
   struct Repairs {
     std::vector<RepairedScan> scans;
     std::shared_ptr<const DefectPlaces> places;  ///< where it is shown before it is done

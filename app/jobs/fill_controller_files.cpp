@@ -32,7 +32,12 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
   std::optional<Vec3> origin;
   if (mode == OpenMode::add) origin = document_.origin();
   LoadStages stages;
-  stages.stage = [this, job](const QString& words) { job->post([this, words] { Q_EMIT stage_changed(words); }); };
+  stages.stage = [this, job, is_one = paths.size() == 1](const QString& words, double share) {
+    job->post([this, is_one, words, share] {
+      Q_EMIT stage_changed(words);
+      if (is_one) Q_EMIT share_done(share);
+    });
+  };
   const auto report = [this](const QString& words) {
     drop_preview();
     report_failure(words);
@@ -64,7 +69,7 @@ void FillController::load(const QStringList& paths, OpenMode mode, const QString
         origin = origin.value_or(scan->origin);
         next = OpenMode::add;
         stages.picture = nullptr;
-        stages.stage(tr("Computing curvature"));
+        stages.stage(tr("Computing curvature"), 1);
         add_curvature(scan, job);
       } catch (const std::exception& error) {  // the other files are opened nevertheless
         job->post([report, words = labels::in_words(message_of(error))] { report(words); });

@@ -5,7 +5,9 @@
 #include "document/message_words.h"
 #include "jobs/defect_places.h"
 #include "jobs/fill_controller.h"
+#include "jobs/remaining_time.h"
 #include "jobs/repair_scan.h"
+#include "jobs/repair_words.h"
 
 #include <QMetaMethod>
 
@@ -81,7 +83,23 @@ void FillController::run_repair(ScanRepair what, std::vector<ScanRepairTask> tas
       if (patch.scan == task.scan) task.patches.push_back(patch);
   }
   const JobPtr job = begin(Activity::filling, repair_title(what));
-  for (ScanRepairTask& task : tasks) task.cancel = job->token();
+  const double count = static_cast<double>(tasks.size());
+  for (std::size_t k = 0; k < tasks.size(); ++k) {
+    tasks[k].cancel = job->token();
+    QString title = repair_title(what);
+    if (tasks.size() > 1) title = tr("%1 (%2)").arg(title, tasks[k].opened->name);
+    std::function<double(const RepairStep&)> share;
+    if (what == ScanRepair::repair)
+      share = [k, count, defects = tasks[k].defects](const RepairStep& step) {
+        return (static_cast<double>(k) + share_of_repair(defects, step)) / count;
+      };
+    tasks[k].on_step = [this, job, title, share](const RepairStep& step) {
+      job->post([this, title, share, step] {
+        show_repair_step(title, step);
+        if (share) show_share(share(step));
+      });
+    };
+  }
   tasks_.run(
       job,
       [what, tasks, origin = document_.origin()] {
@@ -105,6 +123,17 @@ void FillController::run_repair(ScanRepair what, std::vector<ScanRepairTask> tas
       },
       [this, what, then](const Repairs& repairs) { on_repaired(repairs, what, then); },
       [this](const QString& text) { give_up(text); });
+}
+
+void FillController::show_repair_step(const QString& title, const RepairStep& step) {
+  Q_EMIT stage_changed(repair_step(title, step));
+  Q_EMIT done_so_far(list_of(step.so_far).join(QStringLiteral(", ")));
+}
+
+void FillController::show_share(double share) {
+  constexpr int all = 100;
+  Q_EMIT progress_changed(static_cast<int>(all * share), all);
+  Q_EMIT share_done(share);
 }
 
 namespace {

@@ -61,7 +61,7 @@ void add_colors(OpenedScan& scan, const CancelToken& cancel) {
 
 OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const LoadStages& stages,
                         const CancelToken& cancel) {
-  tell(stages.stage, tr("Reading the file"));
+  tell(stages.stage, tr("Reading the file"), 0);
   ImportedMesh imported = read(path);
   if (cancel.cancelled()) return nullptr;
 
@@ -74,7 +74,8 @@ OpenedScanPtr load_scan(const QString& path, std::optional<Vec3> origin, const L
   if (stages.picture) stages.picture(first_picture(imported.soup, *scan));
   if (cancel.cancelled()) return nullptr;
 
-  tell(stages.stage, tr("Looking for holes"));
+  constexpr double share_of_reading = 0.25;  // of 12 s for 14 million triangles
+  tell(stages.stage, tr("Looking for holes"), share_of_reading);
   scan->fingerprint = fingerprint_of(imported.soup);
   scan->model = make_shared_surface_model(std::move(imported.soup), std::move(imported.survey));
   if (cancel.cancelled()) return nullptr;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "mesh/boundary_loops.h"
+#include "repair/repair_surface.h"
 
 #include <optional>
+#include <set>
 
 namespace loopmend {
 
@@ -20,6 +22,9 @@ inline constexpr double share_of_initial_patch = 0.3;
 double steps_left(int taken);
 /// Seconds that a new vertex takes where no patch was made yet: 0.18 to 0.4 ms were measured on two cores.
 inline constexpr double seconds_of_a_vertex = 3e-4;
+
+/// How much of repairing these defects, and of measuring the result, is done when the step begins, 0..1.
+double share_of_repair(const std::set<Defect>& defects, const RepairStep& step);
 
 /// No estimate in the first three seconds, before a twentieth is done, and at the end.
 /// @param seconds  since the work began

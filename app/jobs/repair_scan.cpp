@@ -5,6 +5,7 @@
 #include "jobs/change_surface.h"
 #include "jobs/defect_places.h"
 #include "jobs/fill_controller.h"
+#include "jobs/repair_words.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/append_colored_patch.h"
 #include "pipeline/hand_bridge.h"
@@ -122,57 +123,13 @@ std::optional<RepairedScan> stitched(const ScanRepairTask& task) {
   return repaired;
 }
 
-QStringList list_of(const RepairCounts& counts) {
-  QStringList done;
-  const auto add = [&done](std::size_t count, const QString& text) {
-    if (count > 0) done << text;
-  };
-  const auto n = [](std::size_t count) { return static_cast<int>(count); };
-  add(counts.joined_points, FillController::tr("%Ln vertices joined", nullptr, n(counts.joined_points)));
-  add(counts.degenerate_faces, FillController::tr("%Ln degenerate faces removed", nullptr, n(counts.degenerate_faces)));
-  add(counts.duplicate_faces, FillController::tr("%Ln duplicate faces removed", nullptr, n(counts.duplicate_faces)));
-  add(counts.intersecting_faces,
-      FillController::tr("%Ln intersecting faces cut out", nullptr, n(counts.intersecting_faces)));
-  add(counts.separated_edges, FillController::tr("%Ln edges separated", nullptr, n(counts.separated_edges)));
-  add(counts.separated_vertices, FillController::tr("%Ln vertices separated", nullptr, n(counts.separated_vertices)));
-  add(counts.turned_faces, FillController::tr("%Ln faces turned", nullptr, n(counts.turned_faces)));
-  add(counts.united.bodies, FillController::tr("%Ln bodies united", nullptr, n(counts.united.bodies)));
-  add(counts.cut_handles, FillController::tr("%Ln tiny handles cut open", nullptr, n(counts.cut_handles)));
-  add(counts.removed_pieces, FillController::tr("%Ln loose fragments removed", nullptr, n(counts.removed_pieces)));
-  return done;
-}
-
-/// What overlaps still, and the next thing to do; empty: nothing.
-QString bodies_left(const UnionCounts& united) {
-  QStringList left;
-  const auto n = [](std::size_t count) { return static_cast<int>(count); };
-  if (united.open_pieces > 0)
-    left << FillController::tr(
-        "%Ln open piece(s) crossing, holding or within others were left: fill the holes, then unite.", nullptr,
-        n(united.open_pieces));
-  if (united.crossing > 0)
-    left << FillController::tr(
-        "%Ln bodies crossing themselves were left: cut out faces that intersect others, fill the holes, then unite.",
-        nullptr, n(united.crossing));
-  if (united.touching > 0)
-    left << FillController::tr("%Ln pair(s) of bodies touching at points or edges alone stay apart.", nullptr,
-                               n(united.touching));
-  if (united.refused > 0)
-    left << FillController::tr("%Ln pair(s) of overlapping bodies have no union and were left: move or part them.",
-                               nullptr, n(united.refused));
-  if (united.crossing_parts > 0)
-    left << FillController::tr("%Ln pair(s) of new faces cross by the rounding of their corners; the body is closed.",
-                               nullptr, n(united.crossing_parts));
-  return left.join(QLatin1Char(' '));
-}
-
 QString sentence_of(const OpenedScan& scan, const QStringList& done) {
   return FillController::tr("%1: %2. Ctrl+Z takes it back.").arg(scan.name, done.join(QStringLiteral(", ")));
 }
 
 std::optional<RepairedScan> repaired(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
-  RepairedSurface result = repair_surface(as_read(*old.model), task.defects, task.cancel);
+  RepairedSurface result = repair_surface(as_read(*old.model), task.defects, task.cancel, task.on_step);
   const QString left = bodies_left(result.counts.united);
   if (!result.counts.any()) {
     if (left.isEmpty()) return std::nullopt;
@@ -180,6 +137,7 @@ std::optional<RepairedScan> repaired(const ScanRepairTask& task) {
   }
   QString words = sentence_of(old, list_of(result.counts));
   if (!left.isEmpty()) words += QLatin1Char(' ') + left;
+  if (task.on_step) task.on_step({RepairStage::measure_result, 0, 0, result.counts});
   return RepairedScan{task.scan, made_scan(std::move(result.soup), old.name, old.origin),
                       FillController::tr("Repair %1").arg(old.name), words};
 }
@@ -190,7 +148,7 @@ std::optional<RepairedScan> prepared(const ScanRepairTask& task) {
   ScanJob job;
   job.prepare.extent = PrepareOptions::Extent::where_needed;
   job.numbering = ScanJob::Numbering::of_prepared;
-  ScanPlan plan = plan_scan(record_of(as_read(*old.model)), *old.model, job, task.cancel);
+  ScanPlan plan = plan_scan(record_of(as_read(*old.model)), *old.model, job, task.cancel, task.on_step);
   if (task.cancel.cancelled()) return std::nullopt;
   QStringList done;
   const auto n = [](std::size_t count) { return static_cast<int>(count); };
@@ -204,6 +162,7 @@ std::optional<RepairedScan> prepared(const ScanRepairTask& task) {
   if (!plan.trimmed.empty())
     done << FillController::tr("%Ln crossing triangles removed", nullptr, n(plan.trimmed.size()));
   if (done.isEmpty()) return std::nullopt;
+  if (task.on_step) task.on_step({RepairStage::measure_result});
   return RepairedScan{task.scan, made_scan(std::move(plan.model.soup), old.name, old.origin),
                       FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
 }
@@ -361,38 +320,6 @@ std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask&
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return result;
-}
-
-QString nothing_to_repair(ScanRepair what) {
-  switch (what) {
-    case ScanRepair::trim:
-      return FillController::tr(
-          "There are no bad triangles at these boundaries. A right click on the hole offers to erase a ring of faces.");
-    case ScanRepair::trim_crossing: return FillController::tr("No edge of these boundaries runs through the surface.");
-    case ScanRepair::stitch: return FillController::tr("No boundaries lie close enough together to be stitched.");
-    case ScanRepair::prepare: return FillController::tr("Nothing stands in the way of filling this scan.");
-    case ScanRepair::repair: return FillController::tr("There is nothing to repair.");
-    case ScanRepair::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
-    case ScanRepair::bridge:
-    case ScanRepair::turn_around:
-    case ScanRepair::erase: break;
-  }
-  return {};
-}
-
-QString repair_title(ScanRepair what) {
-  switch (what) {
-    case ScanRepair::trim: return FillController::tr("Trimming boundaries");
-    case ScanRepair::trim_crossing: return FillController::tr("Trimming crossing triangles");
-    case ScanRepair::stitch: return FillController::tr("Stitching boundaries");
-    case ScanRepair::prepare: return FillController::tr("Preparing the scan");
-    case ScanRepair::repair: return FillController::tr("Repairing the scan");
-    case ScanRepair::bridge: return FillController::tr("Bridging a hole");
-    case ScanRepair::erase: return FillController::tr("Erasing a region");
-    case ScanRepair::part: return FillController::tr("Parting a boundary");
-    case ScanRepair::turn_around: return FillController::tr("Turning the scan around");
-  }
-  return {};
 }
 
 }  // namespace loopmend

@@ -32,6 +32,7 @@ struct ScanRepairTask {
   std::vector<OpenPatch> patches{};             ///< all of the scan
   int first_loop = 0;                           ///< of the scan, in the numbers of the patches' loops
   CancelToken cancel{};
+  OnRepairStep on_step{};
 };
 
 struct RepairedScan {
@@ -50,9 +51,5 @@ struct RepairedScan {
 
 /// The repaired scan; empty where there is nothing to repair. @throws Error as the function of the engine does.
 std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask& task);
-
-QString repair_title(ScanRepair what);
-/// The notice where no scan had anything to repair.
-QString nothing_to_repair(ScanRepair what);
 
 }  // namespace loopmend

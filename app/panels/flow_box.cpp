@@ -38,6 +38,7 @@ FlowBox::FlowBox(const Document& document, const HoleSelection& selection, FillC
       controller_(controller) {
   build();
   connect(step_, &QPushButton::clicked, this, &FlowBox::step);
+  connect(steps_, &QPushButton::clicked, this, [this] { evolve(Pace::time_steps); });
   connect(run_, &QPushButton::clicked, this, &FlowBox::run_or_pause);
   connect(compare_, &QPushButton::clicked, this, &FlowBox::compare_wanted);
   connect(flow_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &FlowBox::update_state);
@@ -74,7 +75,8 @@ void FlowBox::build() {
   sigma_->setValue(sigma_start);
   sigma_->setPageStep(ticks_per_decade);
   explain(sigma_, "sigma", tr("Time step"),
-          tr("Time step \u03c3 of Step, without a unit: 1 is one decay time of the slowest wave on this patch"));
+          tr("Time step \u03c3 of Step and Run steps, without a unit: 1 is one decay time of the slowest wave on this "
+             "patch"));
   sigma_value_ = new QLabel;
   sigma_value_->setObjectName(QStringLiteral("sigmaValue"));
   sigma_value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -83,6 +85,9 @@ void FlowBox::build() {
   step_ = make_button("step", tr("Step"),
                       tr("One time step of the flow itself, the boundary taken literally: on rough scans it may lead "
                          "away from the surface (S)"));
+  steps_ =
+      make_button("runSteps", tr("Run steps"),
+                  tr("Such steps one after another, as in the paper, until nothing moves; Pause (Space) ends them"));
   run_ = make_button("run", tr("Run"), tr("The same as Smooth, every step shown for a moment; again: pause (Space)"));
   compare_ = make_button("compareFlows", tr("Compare flows\u2026"),
                          tr("Two to four flows from one start, side by side, in a window of their own (C)"));
@@ -97,7 +102,8 @@ void FlowBox::build() {
   rest_->addWidget(sigma_value_, 1, 1);
   rest_->addWidget(sigma_, 2, 0);
   rest_->addWidget(step_, 2, 1);
-  rest_->addWidget(compare_, 3, 0, 1, 2);
+  rest_->addWidget(compare_, 3, 0);
+  rest_->addWidget(steps_, 3, 1);
   rest_->setColumnStretch(0, 1);
   rest_->setColumnStretch(1, 1);
   options_ = new QWidget;
@@ -172,7 +178,7 @@ void FlowBox::update_state() {
   relief_->setEnabled(idle);
   edges_->setEnabled(of_mmcvf);
   sigma_->setEnabled(idle);
-  step_->setEnabled(idle && !to_move.empty());
+  for (QPushButton* button : {step_, steps_}) button->setEnabled(idle && !to_move.empty());
   compare_->setEnabled(document_.has_scan());
   run_->setEnabled(can_pause || (idle && !to_move.empty()));
   run_->setText(can_pause ? tr("Pause") : now == Activity::pausing ? tr("Pausing\u2026") : tr("Run"));

@@ -54,7 +54,7 @@ class FlowBox : public QGroupBox {
   QComboBox *flow_ = nullptr, *boundary_ = nullptr, *continuity_ = nullptr;
   QCheckBox *relief_ = nullptr, *edges_ = nullptr;
   QSlider* sigma_ = nullptr;
-  QPushButton *step_ = nullptr, *run_ = nullptr, *compare_ = nullptr;
+  QPushButton *step_ = nullptr, *steps_ = nullptr, *run_ = nullptr, *compare_ = nullptr;
 };
 
 }  // namespace loopmend

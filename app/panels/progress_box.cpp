@@ -6,10 +6,13 @@
 #include "jobs/remaining_time.h"
 #include "panels/parts.h"
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -22,6 +25,9 @@ constexpr const char* running_part =
 
 ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(parent), controller_(controller) {
   build();
+  QElapsedTimer clock;
+  clock.start();
+  now_ = [clock] { return static_cast<double>(clock.elapsed()) / 1000; };
   connect(cancel_, &QPushButton::clicked, &controller_, &FillController::cancel);
   connect(&controller_, &FillController::activity_changed, this, &ProgressBox::update_state);
   connect(&controller_, &FillController::stage_changed, this,
@@ -32,16 +38,9 @@ ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(
     // The style fills a bar without an end, which looks as if all was done; a sheet lets a part of it run to and fro.
     bar_->setStyleSheet(total > 0 ? QString() : QString::fromLatin1(running_part));
   });
-  connect(&controller_, &FillController::share_done, this, [this](double share) {
-    seconds_left_ = seconds_left(static_cast<double>(since_start_.elapsed()) / 1000, share);
-    since_estimate_.start();
-    show_left();
-  });
-  connect(&controller_, &FillController::seconds_left, this, [this](double seconds) {
-    seconds_left_ = seconds;
-    since_estimate_.start();
-    show_left();
-  });
+  connect(&controller_, &FillController::share_done, this,
+          [this](double share) { estimate(seconds_left(now_() - start_, share)); });
+  connect(&controller_, &FillController::seconds_left, this, &ProgressBox::estimate);
   each_second_.setInterval(1000);
   connect(&each_second_, &QTimer::timeout, this, &ProgressBox::show_left);
   update_state();
@@ -53,6 +52,7 @@ void ProgressBox::build() {
   layout->setSpacing(6);
   stage_ = make_note("stage");
   stage_->setText(tr("Nothing is running."));
+  stage_->keep_room_for({QStringLiteral("1\n2")});  // Cancel stays in its place
   bar_ = new QProgressBar;
   bar_->setTextVisible(false);
   bar_->setMaximumHeight(8);
@@ -82,7 +82,7 @@ void ProgressBox::update_state() {
   if (controller_.busy() == each_second_.isActive()) return;
   seconds_left_.reset();
   if (controller_.busy()) {
-    since_start_.start();
+    start_ = now_();
     each_second_.start();
   } else {
     each_second_.stop();
@@ -90,11 +90,16 @@ void ProgressBox::update_state() {
   show_left();
 }
 
+void ProgressBox::estimate(std::optional<double> seconds) {
+  seconds_left_ = seconds;
+  estimated_ = now_();
+  show_left();
+}
+
 /// Counts down between two reports; shows nothing at first, and once the estimate has run out.
 void ProgressBox::show_left() {
-  if (static_cast<double>(since_start_.elapsed()) / 1000 < least_seconds_told) return left_->clear();
-  const double since_then = static_cast<double>(since_estimate_.elapsed()) / 1000;
-  left_->setText(labels::time_left(seconds_left_ ? *seconds_left_ - since_then : 0));
+  if (now_() - start_ < least_seconds_told) return left_->clear();
+  left_->setText(labels::time_left(seconds_left_ ? *seconds_left_ - (now_() - estimated_) : 0));
 }
 
 }  // namespace loopmend

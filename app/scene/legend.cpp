@@ -101,24 +101,29 @@ void Legend::add_to(vtkRenderer* renderer) {
 }
 
 void Legend::show() {
-  each_part([](vtkActor2D* part) { part->VisibilityOn(); });
-  plate_->SetVisibility(ground_ == Ground::plate);
+  shown_ = true;
+  each_part([this](vtkActor2D* part) { part->SetVisibility(kinds_ == all_kinds); });
+  plate_->SetVisibility(ground_ == Ground::plate && kinds_ > 0);
+  ticks_->SetVisibility(kinds_ > 0);
+  bar_->SetVisibility(kinds_ > 1);
 }
 
 void Legend::hide() {
+  shown_ = false;
   each_part([](vtkActor2D* part) { part->VisibilityOff(); });
 }
 
-void Legend::show_only(Kind kind) {
-  hide();
-  switch (kind) {
-    case Kind::areas: ticks_->VisibilityOn(); break;
-    case Kind::colored_areas: bar_->VisibilityOn(); break;
-    case Kind::letters: title_->VisibilityOn(); break;
-  }
+bool Legend::grow() {
+  if (!shown_ || kinds_ == all_kinds) return false;
+  ++kinds_;
+  show();
+  return kinds_ < all_kinds;
 }
 
-bool Legend::is_shown() const { return title_->GetVisibility() != 0; }
+void Legend::grow_up() {
+  kinds_ = all_kinds;
+  if (shown_) show();
+}
 
 void Legend::set_words(const LegendWords& words) {
   title_->SetInput(words.title.c_str());
@@ -132,7 +137,7 @@ void Legend::set_pixel_ratio(double ratio) { ratio_ = ratio; }
 
 void Legend::set_ground(Ground ground) {
   ground_ = ground;
-  if (is_shown()) plate_->SetVisibility(ground == Ground::plate);
+  if (shown_) show();
 }
 
 void Legend::set_ink(double brightness) {

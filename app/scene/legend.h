@@ -36,10 +36,13 @@ class Legend {
   void add_to(vtkRenderer* renderer);
   void show();
   void hide();
-  /// What the graphics have a program of their own for.
-  enum class Kind { areas, colored_areas, letters };
-  void show_only(Kind kind);
-  bool is_shown() const;
+  bool is_shown() const { return shown_; }
+  /// Areas, the bar and letters come one after another, when it is shown for the first time: software graphics take 50 ms to make a
+  /// program for each.
+  void come_by_kinds() { kinds_ = 0; }
+  /// One kind more. @returns whether another one is missing.
+  bool grow();
+  void grow_up();
   void set_words(const LegendWords& words);
   void set_pixel_ratio(double ratio);
   /// Text in dark or light, to suit the background.
@@ -62,7 +65,9 @@ class Legend {
   void each_part(const auto& act);
   void place(vtkTextActor* text, double x, double y, int logical_size);
 
-  static constexpr int label_count = 5;
+  static constexpr int label_count = 5, all_kinds = 3;
+  int kinds_ = all_kinds;
+  bool shown_ = false;
   double ratio_ = 1;
   Ground ground_ = Ground::plate;
   Eigen::AlignedBox2d bar_box_, plate_box_;

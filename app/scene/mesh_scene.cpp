@@ -275,13 +275,14 @@ bool MeshScene::update(Eye eye) {
   for (auto& [id, patch] : impl_->patches) impl_->moving = patch->advance(now) || impl_->moving;
   using Keep = CachedBackground::Keep;
   impl_->renderer->set_keep(impl_->moving ? Keep::always : Keep::while_camera_rests);
-  return impl_->moving;
+  return impl_->legend.grow() || impl_->moving;
 }
 
 void MeshScene::arrive() {
   for (auto& [id, goal] : impl_->patch_shapes) goal.arrival = Arrival::at_once;
   impl_->patches_changed = true;
   for (auto& [index, scan] : impl_->scans) scan.drawing->finish();
+  impl_->legend.grow_up();
   update();
 }
 
@@ -392,6 +393,8 @@ void MeshScene::set_legend(LegendPlace place) {
   impl_->legend.add_to(place == LegendPlace::beside ? impl_->legend_renderer : impl_->renderer);
   impl_->update_legend();
 }
+
+void MeshScene::spread_first_legend() { impl_->legend.come_by_kinds(); }
 
 vtkRenderer* MeshScene::legend_renderer() const { return impl_->legend_renderer; }
 

@@ -85,6 +85,8 @@ class MeshScene {
 
   void set_legend_words(const LegendWords& words);
   void set_legend(LegendPlace place);
+  /// The first pictures with a legend have some of it each, until arrive() or all of it is there.
+  void spread_first_legend();
   /// Where the legend is with LegendPlace::beside: to be given a viewport of its own in the same window.
   vtkRenderer* legend_renderer() const;
   /// What the legend covers, in pixels from the lower left corner; nothing where there is none.

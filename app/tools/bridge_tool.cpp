@@ -108,6 +108,12 @@ std::vector<int> BridgeTool::part() const {
   return seats;
 }
 
+std::vector<int> BridgeTool::lit_points() const {
+  std::vector<int> points;
+  for (int seat : part()) points.push_back(seats_[seat].soup_point);
+  return points;
+}
+
 void BridgeTool::paint(QPainter& painter, const ViewSpace& space) {
   take_loops();
   const QColor held(214, 104, 16), loose(255, 255, 255), ink(24, 28, 34);

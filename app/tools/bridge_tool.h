@@ -27,6 +27,8 @@ class BridgeTool : public QObject, public ViewTool {
   bool is_begun() const { return begun_point() >= 0; }
   bool is_hovering() const { return hovered_ >= 0; }
   void clear();
+  /// Soup points of the part that is lit: it would be filled by a click. Empty: none.
+  std::vector<int> lit_points() const;
 
   bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) override;
   void paint(QPainter& painter, const ViewSpace& space) override;

@@ -17,6 +17,7 @@
 #include "panels/scene_panel.h"
 #include "panels/status_line.h"
 #include "panels/welcome.h"
+#include "panels/window_place.h"
 #include "views/candidate_binder.h"
 #include "views/docks.h"
 #include "views/example_controller.h"
@@ -36,12 +37,10 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
 #include <QRadioButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedLayout>
@@ -166,6 +165,7 @@ void MainWindow::build_docks() {
     return docks_->add(name, title, content, area);
   };
   QDockWidget* holes = dock("holesDock", tr("Holes"), holes_, Qt::RightDockWidgetArea);
+  compare_->keep_in_sight(holes_);
   QDockWidget* scene = dock("sceneDock", tr("Scene"), scene_, Qt::RightDockWidgetArea);
   QDockWidget* right = dock("patchDock", tr("Patch"), patch_, Qt::RightDockWidgetArea);
   QDockWidget* look = dock("lookDock", tr("Display"), scrolled(look_), Qt::RightDockWidgetArea);
@@ -419,26 +419,12 @@ void MainWindow::open_sample() { files_->open_sample(); }
 
 void MainWindow::restore_layout() {
   const WindowLayout layout = load_window_layout();
-  if (restoreGeometry(layout.geometry)) move_onto_screen();
+  // Qt leaves a window as large as it was, and takes a corner on the screen for enough.
+  if (restoreGeometry(layout.geometry) && !isMaximized() && !isFullScreen()) setGeometry(onto_screen(geometry()));
   docks_->restore(layout.docks);
   Look look = load_look();
   look.map = look_->look().map;
   look_->set_look(look);
-}
-
-/// Qt leaves a window as large as it was, and takes a corner on the screen for enough.
-void MainWindow::move_onto_screen() {
-  if (isMaximized() || isFullScreen()) return;
-  const QRect was = geometry();
-  const QScreen* screen = QGuiApplication::screenAt(was.center());
-  if (!screen) screen = QGuiApplication::primaryScreen();
-  // A window manager's frame, which is not known before the window is shown.
-  const QMargins frame(4, 30, 4, 8);
-  const QRect room = screen->availableGeometry().marginsRemoved(frame);
-  const QSize size = was.size().boundedTo(room.size());
-  const int x = std::clamp(was.x(), room.left(), room.left() + room.width() - size.width());
-  const int y = std::clamp(was.y(), room.top(), room.top() + room.height() - size.height());
-  setGeometry(QRect(QPoint(x, y), size));
 }
 
 void MainWindow::keep_layout() const {

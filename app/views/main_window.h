@@ -108,7 +108,6 @@ class MainWindow : public QMainWindow {
   /// A scan that brings its own colours is shown in them.
   void follow_scan_colors();
   void update_title();
-  void move_onto_screen();
   void show_centre();
   void put_docks_away();
 

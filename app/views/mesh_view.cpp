@@ -87,6 +87,7 @@ MeshView::MeshView(const Document& document, SceneVisibility& visibility, HoleSe
   impl_->window->GetInteractor()->SetInteractorStyle(make_turn_style(impl_->turning));
   update_palette();
   update_legend_words();
+  impl_->scene.spread_first_legend();
 
   impl_->redraw_timer.setParent(this);
   impl_->redraw_timer.setSingleShot(true);

@@ -157,7 +157,10 @@ bool Preparation::changed_nothing() const {
 }
 
 Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeModel& make_model,
-                    const CancelToken& cancel) {
+                    const CancelToken& cancel, const OnRepairStep& on_step) {
+  const auto begin = [&](RepairStage stage) {
+    if (on_step) on_step({stage});
+  };
   const bool where_needed = options.extent == PrepareOptions::Extent::where_needed;
   const auto stitches = [&] { return options.stitch == PrepareOptions::Stitch::yes; };
   Preparation done;
@@ -172,14 +175,17 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     done.sides_turned = soup.triangles.size();
     replace(std::move(soup));
   }
+  begin(RepairStage::survey);
   done.no_data = find_no_data(model.soup.points);
   if (options.no_data == PrepareOptions::NoData::cut) done.no_data_faces = 0;
   if ((done.no_data_faces || where_needed) && !done.no_data.vertices.empty()) {
+    begin(RepairStage::remove_no_data);
     TriangleSoup soup = as_read(model);
     done.no_data_faces = remove_faces_at(done.no_data.vertices, soup);
     replace(std::move(soup));
   }
   if (where_needed && has_sides_to_join(model, cancel)) options.stitch = PrepareOptions::Stitch::yes;
+  if (stitches()) begin(RepairStage::stitch);
   if (stitches() && options.stitch_tolerance.length.value_or(0) > 0) {
     done.tiles = join_tiles(model, *options.stitch_tolerance.length, replace);
     if (done.tiles.removed_faces > 0) options.stitch_tolerance = {};  // the length was that of the tiles
@@ -189,16 +195,21 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
     replace(std::move(done.stitched->soup));
     if ((where_needed || done.tiles.removed_faces > 0) && !done.stitched->any()) done.stitched.reset();
   }
-  if (where_needed) options.repair.merge(repairs_needed(model));
+  if (where_needed) {
+    begin(RepairStage::survey);
+    options.repair.merge(repairs_needed(model));
+  }
   if (!options.repair.empty()) {
-    RepairedSurface repaired = repair_surface(as_read(model), options.repair, cancel);
+    RepairedSurface repaired = repair_surface(as_read(model), options.repair, cancel, on_step);
     done.repaired = repaired.counts;
     replace(std::move(repaired.soup));
-    if ((where_needed && has_sides_to_join(model, cancel)) || stitches())
+    if (stitches() || (where_needed && has_sides_to_join(model, cancel))) {
+      begin(RepairStage::stitch);
       if (std::optional<JoinedAgain> joined = joined_again(model, options.stitch_tolerance)) {
         done.joined_again = joined->vertices;
         replace(std::move(joined->soup));
       }
+    }
   }
   for (const auto& [a, b] : options.bridges) {
     replace(bridged(model, a, b));

@@ -78,6 +78,6 @@ using MakeModel = std::function<SurfaceModel(TriangleSoup)>;
 /// proposes it again.
 /// @throws InvalidArgument for loops, vertices or bridges that do not exist.
 Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeModel& make_model,
-                    const CancelToken& cancel = {});
+                    const CancelToken& cancel = {}, const OnRepairStep& on_step = {});
 
 }  // namespace loopmend

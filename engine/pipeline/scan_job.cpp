@@ -276,7 +276,8 @@ bool needs_whole_view(const ScanJob& job) {
          !prepare.repair.empty() || !prepare.bridges.empty() || prepare.base || prepare.trims();
 }
 
-ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, const CancelToken& cancel) {
+ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, const CancelToken& cancel,
+                   const OnRepairStep& on_step) {
   ScanJob job = asked;
   ScanPlan plan;
   plan.given = std::move(given);
@@ -286,7 +287,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     is_replaced = true;
     return model_from(job.source, std::move(soup));
   };
-  plan.done = prepare(plan.model, job.prepare, make_model, cancel);
+  plan.done = prepare(plan.model, job.prepare, make_model, cancel, on_step);
   if (is_replaced) plan.given = record_of(plan.model.soup, plan.model.turned_faces);
   plan.loops = find_boundary_loops(plan.model);
   plan.choices = choose_loops(plan.model, plan.loops, job.loops);
@@ -303,7 +304,10 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
   leave_wide_cracks(plan, job);
   plan.tiles = {count_abutting(plan), find_overlapping_outlines(plan.model, plan.loops)};
   plan.to_trim = plan.chosen();
-  if (job.prepare.trims()) trim(plan, job);
+  if (job.prepare.trims()) {
+    if (on_step) on_step({RepairStage::trim});
+    trim(plan, job);
+  }
   if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   name_cures(plan, job);
   if (!plan.trimmed.empty()) plan.pairs.clear();  // no command finds the same loops in the file

@@ -59,7 +59,8 @@ bool needs_whole_view(const ScanJob& job);
 /// be left undone.
 /// @throws ReadError or InvalidArgument where no usable face is left (the former where the job names its source);
 /// InvalidArgument for loops, vertices or bridges that do not exist.
-ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& job, const CancelToken& cancel = {});
+ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& job, const CancelToken& cancel = {},
+                   const OnRepairStep& on_step = {});
 
 /// Fills the chosen loops into the plan's model, within the memory that the job allows, and compares what was given, bit for
 /// bit. What is finished when the token is cancelled is kept.

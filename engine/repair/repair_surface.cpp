@@ -258,8 +258,11 @@ std::vector<char> intersecting(const TriangleSoup& soup, RepairCounts& counts, c
 }
 
 /// What crosses itself and is cut there may be closed no more, so that what it crosses is cut next.
-void cut_intersections(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel) {
-  for (bool changes = true; changes;) {
+/// @param next_round  called before the second round, and before each that follows
+void cut_intersections(TriangleSoup& soup, RepairCounts& counts, const CancelToken& cancel,
+                       const std::function<void()>& next_round) {
+  for (bool changes = true, is_first = true; changes;) {
+    if (!std::exchange(is_first, false)) next_round();
     const std::size_t removed = remove(soup, intersecting(soup, counts, cancel));
     counts.intersecting_faces += removed;
     changes = removed > 0 && counts.overlapping_bodies > 0;
@@ -388,13 +391,34 @@ void remove_fragments(TriangleSoup& soup, RepairCounts& counts) {
   counts.removed_faces = remove(soup, gone);
 }
 
+RepairStage stage_of(Defect defect) {
+  switch (defect) {
+    case Defect::coincident_points: return RepairStage::join_vertices;
+    case Defect::degenerate_faces: return RepairStage::remove_degenerate;
+    case Defect::duplicate_faces: return RepairStage::remove_duplicates;
+    case Defect::intersections: return RepairStage::cut_intersections;
+    case Defect::non_manifold: return RepairStage::separate;
+    case Defect::overlaps: return RepairStage::unite;
+    case Defect::handles: return RepairStage::cut_handles;
+    case Defect::fragments: return RepairStage::remove_fragments;
+  }
+  return RepairStage::survey;
+}
+
 }  // namespace
 
-RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects, const CancelToken& cancel) {
+RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects, const CancelToken& cancel,
+                               const OnRepairStep& on_step) {
   RepairedSurface result{soup, {}};
   RepairCounts& counts = result.counts;
+  std::size_t number = 0;
+  const auto begin = [&](RepairStage stage) {
+    if (on_step) on_step({stage, number, defects.size(), counts});
+  };
   for (const Defect defect : defects) {
     if (cancel.cancelled()) break;
+    ++number;
+    begin(stage_of(defect));
     switch (defect) {
       case Defect::coincident_points: counts.joined_points = join_coincident(result.soup); break;
       case Defect::degenerate_faces:
@@ -404,12 +428,13 @@ RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>&
         counts.duplicate_faces = remove(result.soup, duplicates(result.soup.triangles));
         break;
       case Defect::intersections:
-        cut_intersections(result.soup, counts, cancel);
+        cut_intersections(result.soup, counts, cancel, [&] { begin(RepairStage::cut_intersections); });
         if (defects.contains(Defect::overlaps)) counts.overlapping_bodies = 0;  // they are united next
         break;
       case Defect::non_manifold:
         separate(result.soup, counts);
         if (counts.separated_edges > 0) remove_flat_bodies(result.soup, counts);
+        begin(RepairStage::turn_outward);
         turn_outward(result.soup, counts);
         // Copies that this made may be one fan with what lies beside them now. They are not counted: they were one before.
         for (int k = 0; defects.contains(Defect::coincident_points) && k < most_joins_of_separated; ++k) {

@@ -7,6 +7,7 @@
 #include "repair/unite_bodies.h"
 
 #include <cstddef>
+#include <functional>
 #include <set>
 
 namespace loopmend {
@@ -63,11 +64,38 @@ struct RepairedSurface {
   RepairCounts counts;
 };
 
+/// What is at work while a scan is repaired or prepared.
+enum class RepairStage {
+  survey,          ///< of what the scan needs
+  remove_no_data,  ///< faces of missing data
+  stitch,
+  join_vertices,
+  remove_degenerate,
+  remove_duplicates,
+  cut_intersections,
+  separate,
+  turn_outward,
+  unite,
+  cut_handles,
+  remove_fragments,
+  trim,            ///< triangles at boundaries that run through the surface
+  measure_result,  ///< boundary loops and curvature of what was made: by the caller
+};
+
+/// The stage that begins.
+struct RepairStep {
+  RepairStage stage = RepairStage::survey;
+  std::size_t number = 0, of = 0;  ///< of the defects that are repaired, from 1; 0: not known
+  RepairCounts so_far{};           ///< by the stages before
+};
+/// Called on the thread that repairs.
+using OnRepairStep = std::function<void(const RepairStep&)>;
+
 /// Repairs the defects named, in the order of the enumeration. Faces keep their order. No point moves. Points that no face
 /// needs any more stay. `non_manifold` takes degenerate and duplicate faces along, and `overlaps` takes `non_manifold` along.
 /// @throws InvalidArgument if no usable face is left.
 RepairedSurface repair_surface(const TriangleSoup& soup, const std::set<Defect>& defects = harmless_repairs,
-                               const CancelToken& cancel = {});
+                               const CancelToken& cancel = {}, const OnRepairStep& on_step = {});
 
 /// Whether the surface has tiny loose components with a boundary, as Defect::fragments removes. Closed ones do no harm.
 bool has_open_fragments(const SurfaceModel& model);

@@ -14,6 +14,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <functional>
+
 using namespace loopmend;
 using namespace loopmend::testing;
 
@@ -31,6 +33,8 @@ struct Palette {
   QLineEdit* typed = nullptr;
   QListWidget* list = nullptr;
 };
+
+QString menu_words(const QAction& action) { return action.text().remove(QLatin1Char('&')).remove(QChar(0x2026)); }
 
 }  // namespace
 
@@ -62,15 +66,22 @@ void PaletteTest::it_has_every_command_of_the_menus() {
   QStringList shown_texts;
   for (int k = 0; k < palette.list->count(); ++k)
     shown_texts << palette.list->item(k)->text().remove(QStringLiteral(" \u2713"));
-  int commands = 0;
-  for (const QAction* menu : window.menuBar()->actions())
-    for (const QAction* action : menu->menu()->actions()) {
-      if (action->isSeparator() || action->menu()) continue;
-      const QString text = action->text().remove(QLatin1Char('&')).remove(QChar(0x2026));
-      QVERIFY2(shown_texts.contains(text), qPrintable(text));
-      ++commands;
+  QStringList commands, submenus;
+  const std::function<void(const QMenu&)> list = [&](const QMenu& menu) {
+    for (const QAction* action : menu.actions()) {
+      if (action->menu()) {
+        submenus << menu_words(*action);
+        list(*action->menu());
+      } else if (!action->isSeparator()) {
+        commands << menu_words(*action);
+      }
     }
-  QVERIFY(commands > 50);
+  };
+  for (const QAction* menu : window.menuBar()->actions()) list(*menu->menu());
+  for (const QString& command : commands) QVERIFY2(shown_texts.contains(command), qPrintable(command));
+  QVERIFY(commands.size() > 60);
+  for (const char* menu : {"Up axis", "Navigation"}) QVERIFY(submenus.contains(QLatin1String(menu)));
+  for (const char* command : {"Z up", "Blender navigation"}) QVERIFY2(commands.contains(QLatin1String(command)), command);
   palette.dialog->close();
 }
 

@@ -53,6 +53,14 @@ int extreme_point(MainWindow& window, int loop, const Vec3& way) {
   return scan.model->soup_vertex[best];
 }
 
+/// The vertex of the first loop of the first scan that is nearest to a place: its soup point.
+int near(MainWindow& window, const Vec3& wanted) {
+  const OpenedScan& scan = *window.document().scan(0);
+  const auto distance = [&](int v) { return (Vec3(scan.model->mesh.point(TriMesh::VertexHandle(v))) - wanted).norm(); };
+  const std::vector<int>& vertices = window.document().loop(0).vertices;
+  return scan.model->soup_vertex[*std::ranges::min_element(vertices, {}, distance)];
+}
+
 void click_vertex(MainWindow& window, int soup_point, Qt::KeyboardModifiers with = {}) {
   const QPoint at = window.tools().bridge().position_of(0, soup_point, window.view().space()).toPoint();
   QTest::mouseMove(window.view().canvas(), at);
@@ -82,6 +90,7 @@ class PartsTest : public QObject {
 
  private Q_SLOTS:
   void a_part_of_a_hole_is_filled_by_two_clicks();
+  void the_part_that_is_lit_is_filled_with_a_smooth_edge();
   void ctrl_fills_the_longer_part();
   void a_spike_is_erased_and_filled();
   void the_brush_trims_a_boundary();
@@ -119,20 +128,10 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
   QVERIFY(wait_until([&] { return window.tools().panel()->tool() == Tool::fill_part; }));
 
   // Across the oblong hole, at a third of its length.
-  const OpenedScan& scan = *document.scan(0);
-  const auto near = [&](const Vec3& wanted) {
-    int best = -1;
-    double least = 1e300;
-    for (int v : document.loop(0).vertices) {
-      const double d = (Vec3(scan.model->mesh.point(TriMesh::VertexHandle(v))) - wanted).norm();
-      if (d < least) least = d, best = scan.model->soup_vertex[v];
-    }
-    return best;
-  };
-  const std::size_t before = scan.model->soup.triangles.size();
-  click_vertex(window, near({0.3, 0.16, 0.94}));
+  const std::size_t before = document.scan(0)->model->soup.triangles.size();
+  click_vertex(window, near(window, {0.3, 0.16, 0.94}));
   QVERIFY(window.tools().bridge().is_begun());
-  click_vertex(window, near({0.3, -0.16, 0.94}));
+  click_vertex(window, near(window, {0.3, -0.16, 0.94}));
   QVERIFY(wait_until([&] { return document.scans() == std::vector<int>{1}; }));
   QVERIFY(wait_idle(window));
   QVERIFY(last_scan(window).model->soup.triangles.size() > before);  // the strip
@@ -161,6 +160,42 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
   trigger(window, "redo");
   QCOMPARE(document.patches().size(), std::size_t(2));
   QCOMPARE(open_loops(window), 1);
+}
+
+void PartsTest::the_part_that_is_lit_is_filled_with_a_smooth_edge() {
+  Shown window({file("lit.ply", two_holes())});
+  const Document& document = window.document();
+  window.view().look_from(NamedView::front);
+  QVERIFY(fly(window, 0));
+  trigger(window, "toolFillPartAction");
+  BridgeTool& tool = window.tools().bridge();
+  click_vertex(window, near(window, {0.3, 0.16, 0.94}));
+  const QPoint second = tool.position_of(0, near(window, {0.3, -0.16, 0.94}), window.view().space()).toPoint();
+  QTest::mouseMove(window.view().canvas(), second);
+  QVERIFY(wait_until([&] { return !tool.lit_points().empty(); }));
+  std::vector<int> lit = tool.lit_points();
+  const int own = static_cast<int>(document.scan(0)->model->soup.points.size());
+  QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, second);
+  QVERIFY(wait_until([&] { return document.patches().size() == 1; }) && wait_idle(window));
+  const SurfaceModel& model = *last_scan(window).model;
+  std::vector<int> filled;
+  double off = 0;
+  int of_edge = 0;
+  for (int v : document.loop(document.patches().front().loops.front()).vertices) {
+    const int point = model.soup_vertex[v];
+    if (point < own) {
+      filled.push_back(point);
+    } else {
+      ++of_edge;
+      off = std::max(off, std::abs(model.soup.points[point].norm() - 1));
+    }
+  }
+  std::ranges::sort(lit);
+  std::ranges::sort(filled);
+  QVERIFY(filled == lit);
+  // The new edge continues the ball, 0.32 across: a straight one would lie 0.013 below it.
+  QVERIFY(of_edge > 2);
+  QVERIFY2(off < 0.002, qPrintable(QString::number(off)));  // 0.0012
 }
 
 void PartsTest::ctrl_fills_the_longer_part() {

@@ -3,7 +3,10 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "document/labels.h"
 #include "document/timeline.h"
+#include "evolution/evolution.h"
+#include "samples/analytic_surfaces.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -15,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -48,6 +52,21 @@ void choose_pace(MainWindow& window, double states_a_second) {
   pace->setCurrentIndex(pace->findData(states_a_second));
 }
 
+/// A ball with one hole, and its initial patch.
+QString ball_with_a_hole(const QTemporaryDir& folder) {
+  return scan_file(folder, QStringLiteral("ball.ply"),
+                   cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; }));
+}
+
+/// @returns the first recorded state that differs in a bit from what the engine makes in as many steps; -1: none.
+int first_other_state(const Timeline& states, Evolution& evolution) {
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (states[k]->patch.positions != evolution.patch().positions) return static_cast<int>(k);
+    if (k + 1 < states.size()) evolution.step({});
+  }
+  return -1;
+}
+
 }  // namespace
 
 class PlayerTest : public QObject {
@@ -62,6 +81,8 @@ class PlayerTest : public QObject {
   void the_next_state_comes_by_a_key();
   void there_is_nothing_to_play_without_states();
   void a_session_keeps_the_states();
+  void steps_are_those_of_the_scheme_with_the_time_step_shown();
+  void run_shows_the_states_of_the_engine();
 
  private:
   QTemporaryDir folder_;
@@ -246,6 +267,50 @@ void PlayerTest::a_session_keeps_the_states() {
   QVERIFY(wait_until([&] { return !is_playing(window); }));
   QCOMPARE(*shown.rbegin(), static_cast<int>(positions.size()) - 1);
   QCOMPARE(static_cast<int>(shown.size()), static_cast<int>(positions.size()) - 1 - place);  // from there on
+}
+
+/// Run steps, and Step after it.
+void PlayerTest::steps_are_those_of_the_scheme_with_the_time_step_shown() {
+  Shown window({ball_with_a_hole(folder_)});
+  QVERIFY(press_and_wait(window, "fill"));
+  auto* slider = part<QSlider>(window, "sigma");
+  slider->setValue(-5);
+  const double sigma = std::pow(10, -0.5);
+  QCOMPARE(part<QLabel>(window, "sigmaValue")->text(), QStringLiteral("\u03c3 = ") + labels::number(sigma));
+  press(window, "runSteps");
+  const auto taken = [&] { return window.document().patches().front().timeline->size() - 1; };
+  QVERIFY(wait_until([&] { return taken() >= 3; }));
+  if (window.controller().busy()) QVERIFY(press_and_wait(window, "run"));
+  QVERIFY(press_and_wait(window, "step"));
+  const Timeline states = *window.document().patches().front().timeline;
+  EvolutionOptions options;
+  options.mode = EvolutionMode::steps;
+  options.sigma = sigma;
+  Evolution evolution(states.front()->patch, options);
+  QCOMPARE(first_other_state(states, evolution), -1);
+  // Each state says the time step with which the engine came there.
+  auto* timeline = part<QSlider>(window, "timeline");
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    const double used = evolution.history()[k - 1].sigma;
+    timeline->setValue(static_cast<int>(k));
+    const QString words = QStringLiteral("\u03c3 ") + labels::number(used);
+    const QString in_timeline = part<QLabel>(window, "timelinePlace")->text(),
+                  below = part<QLabel>(window, "statusFigures")->text();
+    QVERIFY2(in_timeline.contains(words), qPrintable(in_timeline));
+    QVERIFY2(below.contains(words), qPrintable(below));
+  }
+  QCOMPARE(evolution.history().front().sigma, sigma);
+}
+
+/// On an exact neighborhood: the flow itself, to the steady state.
+void PlayerTest::run_shows_the_states_of_the_engine() {
+  Shown window({ball_with_a_hole(folder_)});
+  QVERIFY(press_and_wait(window, "fill"));
+  QVERIFY(press_and_wait(window, "run"));
+  const Timeline states = *window.document().patches().front().timeline;
+  QVERIFY(states.size() > 2);
+  Evolution evolution(states.front()->patch, EvolutionOptions());
+  QCOMPARE(first_other_state(states, evolution), -1);
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<PlayerTest>(); }

@@ -100,7 +100,8 @@ void show_story(MainWindow& window, const QString& file) {
   window.selection().select({hole});
   part<QSlider>(window, "sigma")->setValue(-10);
   press(window, "run");
-  linger(300);
+  constexpr int worth_seeing = 2;  // steps
+  wait_until([&] { return window.document().patch_of(hole)->state->steps >= worth_seeing; });
   shoot(window, "running");
   window.controller().cancel();
   linger(200);

@@ -31,5 +31,20 @@ TEST(RemainingTime, AHoleOfTwiceTheEdgesIsFourTimesTheWork) {
   EXPECT_NEAR(work_of(large) / work_of(small), 4, 0.001);
 }
 
+TEST(RemainingTime, RepairsBeginWithNothingDoneAndNeverGoBack) {
+  const std::set<Defect> defects{Defect::coincident_points, Defect::intersections, Defect::non_manifold};
+  double before = 0;
+  EXPECT_EQ(share_of_repair(defects, {RepairStage::join_vertices, 1, 3}), 0);
+  for (const RepairStep& step :
+       {RepairStep{RepairStage::cut_intersections, 2, 3}, RepairStep{RepairStage::separate, 3, 3},
+        RepairStep{RepairStage::turn_outward, 3, 3}, RepairStep{RepairStage::measure_result}}) {
+    const double share = share_of_repair(defects, step);
+    EXPECT_GT(share, before);
+    before = share;
+  }
+  EXPECT_LT(before, 1);
+  EXPECT_EQ(share_of_repair({Defect::fragments}, {RepairStage::remove_fragments, 1, 1}), 0);
+}
+
 }  // namespace
 }  // namespace loopmend::test

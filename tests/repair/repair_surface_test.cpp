@@ -214,6 +214,24 @@ TEST(RepairSurface, EachDefectIsCountedByItself) {
   EXPECT_FALSE(count_defects(make_icosphere(2)).any());
 }
 
+TEST(RepairSurface, NamesEachStageAsItBegins) {
+  TriangleSoup soup = make_icosphere(2);
+  soup.triangles.push_back({3, 3, 4});
+  std::vector<RepairStep> steps;
+  const std::set<Defect> defects{Defect::degenerate_faces, Defect::intersections, Defect::non_manifold};
+  repair_surface(soup, defects, {}, [&](const RepairStep& step) { steps.push_back(step); });
+  const std::vector<RepairStage> stages{RepairStage::remove_degenerate, RepairStage::cut_intersections,
+                                        RepairStage::separate, RepairStage::turn_outward};
+  const std::vector<std::size_t> numbers{1, 2, 3, 3};
+  ASSERT_EQ(steps.size(), stages.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    EXPECT_EQ(steps[k].stage, stages[k]);
+    EXPECT_EQ(steps[k].number, numbers[k]);
+    EXPECT_EQ(steps[k].of, defects.size());
+    EXPECT_EQ(steps[k].so_far.degenerate_faces, k == 0 ? 0u : 1u);
+  }
+}
+
 TEST(RepairSurface, PointsInTheSamePlaceAreJoined) {
   TriangleSoup soup = joined({make_icosphere(1), make_icosphere(1)});
   const RepairedSurface repaired = repair_surface(soup, {Defect::coincident_points});
