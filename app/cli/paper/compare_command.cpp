@@ -10,11 +10,13 @@
 
 #include "core/path_text.h"
 #include "core/version.h"
+#include "flows/flow_terms.h"
 #include "io/atomic_file.h"
 #include "pipeline/problem.h"
 #include "problems/comparison_table.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -67,6 +69,23 @@ PosedProblem problem_of(const CompareCommand& command) {
   if (points) return points_problem(command);
   if (region) return region_problem(command);
   return command.inputs.size() > 1 || !command.loops.empty() ? blend_problem(command) : hole_problem(command);
+}
+
+nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
+  nlohmann::ordered_json json;
+  for (const ComparedFlow& run : comparison.runs) {
+    nlohmann::ordered_json one = patch_json(run.outcome);
+    one["flow"] = to_string(run.outcome.flow);
+    one["area"] = run.energies.area;
+    one["bending_energy"] = run.energies.bending;
+    one["variation_energy"] = run.energies.variation;
+    const SeamFigures seam = seam_figures(run.outcome.seams);
+    one["h_jump_wide"] = run.wide_jump;
+    one["h_jump_rms"] = std::isfinite(seam.jump) ? nlohmann::ordered_json(seam.jump) : nlohmann::ordered_json(nullptr);
+    for (const SeamReport& report : run.outcome.seams) one["seams"].push_back(seam_json(report));
+    json.push_back(std::move(one));
+  }
+  return json;
 }
 
 }  // namespace
