@@ -9,6 +9,7 @@
 #include "verdict.h"
 
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/system_memory.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
@@ -308,7 +309,7 @@ int run_fill(const FillCommand& command) {
   std::optional<Watertightness> verdict;
   if (command.check == Check::printable) verdict = watertightness(soup);
 
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   const std::string suggestion = trim_suggestion(command, scan, outcome);
   nlohmann::ordered_json json;
   if (!command.report.empty()) {

@@ -6,6 +6,7 @@
 #include "cli/paper/comparison_files.h"
 #include "cli/progress_line.h"
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/version.h"
 #include "exit_codes.h"
 #include "io/write_mesh.h"
@@ -219,13 +220,13 @@ int run_reproduce(const ReproduceCommand& command) {
     progress.say(id);
     Entry entry{run_paper_figure(id), 0};
     write_figure(outputs, entry.run, command.output);
-    entry.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    entry.seconds = seconds_since(start);
     entries.push_back(std::move(entry));
   }
   add_text(outputs, command.output / "index.html", page(entries));
   add_text(outputs, command.output / "report.md", markdown(entries));
   outputs.commit();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = seconds_since(begin);
   if (!command.quiet) {
     for (const Entry& entry : entries)
       std::printf("%-8s  %-18s  %s\n", entry.run.id.c_str(), to_string(entry.run.verdict), entry.run.title.c_str());

@@ -9,6 +9,7 @@
 #include "vertex_selection.h"
 
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/version.h"
 #include "flows/flow_terms.h"
 #include "io/atomic_file.h"
@@ -114,7 +115,7 @@ int run_compare(const CompareCommand& command) {
   json["flows"] = comparison_json(comparison);
   commit_with_report(outputs, command.words.report, json);
   if (!command.words.quiet) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = seconds_since(begin);
     std::fprintf(command.words.report == "-" ? stderr : stdout, "%s%d free vertices; %s written in %.2f s\n",
                  comparison_table(comparison).c_str(), problem.start.free_count, path_text(command.output).c_str(),
                  seconds);
