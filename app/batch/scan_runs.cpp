@@ -4,6 +4,7 @@
 #include "child.h"
 #include "core/error.h"
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/system_memory.h"
 #include "core/threads.h"
 #include "exit_codes.h"
@@ -24,8 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto patience = std::chrono::seconds(5);            ///< with a child that was asked to end
 constexpr auto between_looks = std::chrono::milliseconds(5);  ///< at the children
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A path that no program takes for an option.
 std::string as_argument(const fs::path& path) {

@@ -3,6 +3,7 @@
 
 #include "batch/fill_scans.h"
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "exit_codes.h"
 #include "interrupt.h"
 #include "outputs.h"
@@ -40,7 +41,7 @@ int run_batch(const BatchCommand& command, const CheckFillOptions& check) {
   events.said = [&](const Message& words) { progress.say(words.english()); };
   const std::vector<SummaryRow> rows = fill_scans(job, events, cancel);
   const SummaryCounts counts = counts_of(rows);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   if (command.verbosity == Verbosity::normal) {
     std::printf("%s: %d filled, %d to look at, %s", counted(rows.size(), "scan", "scans").c_str(), counts.filled,
                 counts.look, counted(static_cast<std::size_t>(counts.error), "error", "errors").c_str());

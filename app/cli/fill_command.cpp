@@ -9,6 +9,7 @@
 #include "verdict.h"
 
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/system_memory.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
@@ -196,9 +197,8 @@ std::string trim_suggestion(const FillCommand& command, const ScanPlan& scan, co
          " at the boundaries; --trim-boundary 3 would remove what is bad.";
 }
 
-/// @param bad  triangles that are left at the boundaries of the loops that are filled
 nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ScanPlan& scan,
-                                   const std::vector<BadBoundaryFace>& bad, const std::vector<HoleResult>& results) {
+                                   const std::vector<HoleResult>& results) {
   nlohmann::ordered_json json;
   json["schema_version"] = report_schema_version;
   json["version"] = version();
@@ -206,7 +206,7 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["input"] = input_json(command.input, import, scan.done.before);
   json["prepared"] = preparation_json(scan.done);
   json["trimmed_faces"] = faces_json(scan.trimmed);
-  json["bad_rim_faces"] = faces_json(bad);
+  json["bad_rim_faces"] = faces_json(scan.bad_faces);
   json["loops"] = nlohmann::ordered_json::array();
   const std::size_t in_full = command.detail == Detail::all ? results.size() : most_loops_in_report;
   for (std::size_t k = 0; k < results.size(); ++k)
@@ -214,9 +214,16 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   return json;
 }
 
-}  // namespace
-
-namespace {
+nlohmann::ordered_json output_json(const FillCommand& command, const WrittenScan& written, const OutputLosses& losses) {
+  nlohmann::ordered_json json = losses_json(losses);
+  json["content"] = command.content == FillCommand::Content::patches ? "patches" : "surface";
+  json["beside"] = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& file : written.beside) json["beside"].push_back(path_text(file));
+  json["painted_triangles"] = written.painted;
+  json["remarks"] = nlohmann::ordered_json::array();
+  for (const Message& remark : written.remarks) json["remarks"].push_back(remark.english());
+  return json;
+}
 
 void print_beside(std::FILE* out, const WrittenScan& written) {
   if (written.painted > 0)
@@ -282,7 +289,6 @@ int run_fill(const FillCommand& command) {
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);
   ScanPlan scan = plan_scan(std::move(as_read), std::move(model), command.job, cancel);
-  const std::vector<BadBoundaryFace> bad = bad_boundary_faces(scan.model, scan.to_trim);
   TriangleSoup& soup = scan.model.soup;
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
   const bool stopped = cancel.cancelled();
@@ -307,22 +313,19 @@ int run_fill(const FillCommand& command) {
   std::optional<Watertightness> verdict;
   if (command.check == Check::printable) verdict = watertightness(soup);
 
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  nlohmann::ordered_json json = fill_report(command, opened.report, scan, bad, results);
+  const double seconds = seconds_since(start);
   const std::string suggestion = trim_suggestion(command, scan, outcome);
-  if (!suggestion.empty()) json["suggestion"] = suggestion;
-  json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
-  json["output"] = losses_json(losses);
-  json["output"]["content"] = command.content == FillCommand::Content::patches ? "patches" : "surface";
-  json["output"]["beside"] = nlohmann::ordered_json::array();
-  for (const std::filesystem::path& file : written.beside) json["output"]["beside"].push_back(path_text(file));
-  json["output"]["painted_triangles"] = written.painted;
-  json["output"]["remarks"] = nlohmann::ordered_json::array();
-  for (const Message& remark : written.remarks) json["output"]["remarks"].push_back(remark.english());
-  if (verdict) json["check"] = verdict_json(*verdict);
-  json["stopped"] = stopped;
-  json["peak_memory_mb"] = peak_memory_of_process() / (1 << 20);
-  json["total_seconds"] = seconds;
+  nlohmann::ordered_json json;
+  if (!command.report.empty()) {
+    json = fill_report(command, opened.report, scan, results);
+    if (!suggestion.empty()) json["suggestion"] = suggestion;
+    json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;  // the model's is: that was compared above
+    json["output"] = output_json(command, written, losses);
+    if (verdict) json["check"] = verdict_json(*verdict);
+    json["stopped"] = stopped;
+    json["peak_memory_mb"] = peak_memory_of_process() / (1 << 20);
+    json["total_seconds"] = seconds;
+  }
   commit_with_report(outputs, command.report, json);
   if (command.verbosity == Verbosity::normal) {
     std::FILE* out = command.report == "-" ? stderr : stdout;

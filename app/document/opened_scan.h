@@ -3,18 +3,36 @@
 #pragma once
 
 #include "document/packed_session.h"
-#include "document/scan_pieces.h"
 #include "io/read_mesh.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/surface_model.h"
 #include "scene/surface_shape.h"
 
 #include <QString>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace loopmend {
+
+/// The pieces of a scan that do not hang together, the largest first.
+struct ScanPieces {
+  struct Piece {
+    std::size_t triangles = 0;
+    double diameter = 0;   ///< of its box, mesh units
+    int first_vertex = 0;  ///< its lowest, of the view
+  };
+  std::vector<Piece> list;     ///< by falling number of triangles, then by lowest vertex
+  std::vector<int> of_vertex;  ///< #V of the view: index into `list`; empty where there is but one
+
+  /// @param vertex  of the view
+  int piece_of(int vertex) const { return of_vertex.empty() ? 0 : of_vertex[vertex]; }
+};
+
+/// Pieces that have a vertex in common are one, as in mesh/pieces.h.
+ScanPieces scan_pieces(const TriMesh& mesh);
 
 enum class ScanOrigin {
   file,

@@ -2,6 +2,7 @@
 #include "jobs/comparison_controller.h"
 
 #include "analysis/surface_distance.h"
+#include "core/seconds_since.h"
 #include "io/read_mesh.h"
 #include "jobs/near_shape.h"
 
@@ -280,7 +281,7 @@ class ComparisonController::FlowRun {
   void put(std::shared_ptr<ComparedRun> state) const {
     state->flow = flow_;
     state->options = options_for(flow_, base_);
-    state->seconds.total = std::chrono::duration<double>(Clock::now() - began_).count();
+    state->seconds.total = seconds_since(began_);
     {
       const std::lock_guard lock(post_->mutex);
       post_->newest[at_] = std::move(state);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/fill_run.h"
 
+#include "core/seconds_since.h"
 #include "core/system_memory.h"
 #include "filling/patch_size.h"
 #include "jobs/remaining_time.h"
@@ -108,7 +109,7 @@ class TaskRecording {
     Part* part = part_of(loops);
     if (!part || !live_) return;
     if (run_.expects) {
-      const double seconds = std::chrono::duration<double>(Clock::now() - flow_started_).count();
+      const double seconds = seconds_since(flow_started_);
       run_.expects(steps_left(record.step) * seconds / record.step);
     }
     if (record.step == 1) {
@@ -137,7 +138,7 @@ class TaskRecording {
     next->method = evolution.method();
     next->steps = part.first->steps + record.step;
     next->last_step = record;
-    next->seconds.total = std::chrono::duration<double>(Clock::now() - started_).count();
+    next->seconds.total = seconds_since(started_);
     RunRecipe run = recipe();
     run.relief = {};  // added at the end
     run.steps = record.step;

@@ -2,6 +2,7 @@
 #include "jobs/step_patches.h"
 
 #include "core/error.h"
+#include "core/seconds_since.h"
 #include "core/system_memory.h"
 #include "core/threads.h"
 #include "filling/patch_size.h"
@@ -102,7 +103,7 @@ class Stepper {
     next.status = evolution_->status();
     next.message = evolution_->message();
     next.energy.initial = initial_energy_;
-    next.seconds.total = std::chrono::duration<double>(Clock::now() - started_).count();
+    next.seconds.total = seconds_since(started_);
   }
 
   const StepTask::Item& item_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's examples (section 5) by name: the inputs that `loopmend reproduce` and the window's gallery share.
+// The paper's examples (section 5) by name: the inputs of tests/reproduce and of the window's gallery.
 #pragma once
 
 #include "mesh/triangle_soup.h"
@@ -10,7 +10,7 @@
 namespace loopmend {
 
 struct PaperExample {
-  const char* id;          ///< as `loopmend reproduce` names it: "fig5.1a"
+  const char* id;          ///< "fig5.1a"
   const char* short_name;  ///< for a small picture
   const char* title;
   enum class Kind { holes, blend, points, region } kind;

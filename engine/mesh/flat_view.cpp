@@ -6,148 +6,14 @@
 #include "mesh/vertex_fans.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace loopmend {
 
 namespace {
-
-std::uint64_t edge_key(int a, int b) {
-  const auto [low, high] = std::minmax(a, b);
-  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(low)) << 32) | static_cast<std::uint32_t>(high);
-}
-
-bool runs_along(const Triangle& t, int a, int b) {
-  for (int k = 0; k < 3; ++k)
-    if (t[k] == a && t[(k + 1) % 3] == b) return true;
-  return false;
-}
-
-/// Turns whole components back where CGAL, which follows the first face of each, turned more than half of the faces.
-/// @returns for each face whether it is turned in the end.
-std::vector<char> keep_the_majority(const Triangles& given, OrientedSoup& oriented) {
-  std::vector<char> turned(given.size());
-  std::vector<int> votes(oriented.origin.size(), 0);
-  const std::vector<int> component = components(oriented.triangles, oriented.origin.size());
-  const auto component_of = [&](std::size_t k) { return component[oriented.triangles[k][0]]; };
-  for (std::size_t k = 0; k < given.size(); ++k) {
-    const Triangle& t = oriented.triangles[k];
-    turned[k] = !runs_along(given[k], oriented.origin[t[0]], oriented.origin[t[1]]);
-    votes[component_of(k)] += turned[k] ? 1 : -1;
-  }
-  for (std::size_t k = 0; k < given.size(); ++k)
-    if (votes[component_of(k)] > 0) {
-      std::swap(oriented.triangles[k][1], oriented.triangles[k][2]);
-      turned[k] = !turned[k];
-    }
-  return turned;
-}
-
-/// Where more than two faces meet at an edge, pairs of them that run on into each other with the least angle stay together,
-/// as where two sheets touch along the edge or a fin stands on a sheet; the rest are cut off there.
-class EdgePairing {
- public:
-  EdgePairing(const Points& points, const Triangles& triangles) : points_(points), triangles_(triangles) {
-    parent_.resize(3 * triangles.size());
-    std::iota(parent_.begin(), parent_.end(), 0);
-    std::vector<std::pair<std::uint64_t, int>> sides;  // edge, 3 · face + place of its first corner
-    for (int f = 0; f < static_cast<int>(triangles.size()); ++f)
-      for (int k = 0; k < 3; ++k) sides.emplace_back(edge_key(triangles[f][k], triangles[f][(k + 1) % 3]), 3 * f + k);
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t j = i;
-      std::vector<int> at;
-      for (; j < sides.size() && sides[j].first == sides[i].first; ++j) at.push_back(sides[j].second);
-      if (at.size() == 2) join(at[0], at[1]);
-      if (at.size() > 2) join_the_flattest(at);
-      i = j;
-    }
-  }
-
-  /// The faces with a vertex of its own for each fan; the first keeps its number. @param origin  extended by the new ones.
-  Triangles separated(std::vector<int>& origin) {
-    Triangles result = triangles_;
-    std::vector<int> number(parent_.size(), -1);  // by root corner
-    std::vector<char> used(origin.size(), 0);
-    for (std::size_t f = 0; f < result.size(); ++f)
-      for (int k = 0; k < 3; ++k) {
-        const int v = triangles_[f][k];
-        int& mine = number[root(static_cast<int>(3 * f) + k)];
-        if (mine < 0 && used[v]) {
-          mine = static_cast<int>(origin.size());
-          origin.push_back(v);
-        } else if (mine < 0) {
-          mine = v;
-          used[v] = 1;
-        }
-        result[f][k] = mine;
-      }
-    return result;
-  }
-
- private:
-  int root(int corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  int vertex(int side, int k) const { return triangles_[side / 3][(side % 3 + k) % 3]; }
-  static int corner(int side, int k) { return side / 3 * 3 + (side % 3 + k) % 3; }
-  bool same_way(int s, int t) const { return vertex(s, 0) == vertex(t, 0); }
-
-  void join(int s, int t) {
-    const int turn = same_way(s, t) ? 0 : 1;
-    for (int k : {0, 1}) {
-      const int a = root(corner(s, k)), b = root(corner(t, (k + turn) % 2));
-      parent_[std::max(a, b)] = std::min(a, b);
-    }
-  }
-
-  /// From the edge into the face, square to the edge.
-  Vec3 wing(int side) const {
-    const Vec3 &a = points_[vertex(side, 0)], &b = points_[vertex(side, 1)], &apex = points_[vertex(side, 2)];
-    const Vec3 along = (b - a).normalized(), out = apex - a;
-    return (out - along.dot(out) * along).normalized();
-  }
-
-  void join_the_flattest(std::vector<int> at) {
-    std::vector<std::tuple<double, int, int>> pairs;  // cosine between the wings: −1 is flat
-    for (std::size_t i = 0; i < at.size(); ++i)
-      for (std::size_t j = i + 1; j < at.size(); ++j)
-        if (!same_way(at[i], at[j])) pairs.emplace_back(wing(at[i]).dot(wing(at[j])), at[i], at[j]);
-    std::sort(pairs.begin(), pairs.end());
-    std::set<int> joined;
-    for (const auto& [cosine, s, t] : pairs) {
-      if (joined.contains(s) || joined.contains(t)) continue;
-      join(s, t);
-      joined.insert({s, t});
-    }
-  }
-
-  const Points& points_;
-  const Triangles& triangles_;
-  std::vector<int> parent_;  // of corners: 3 · face + place
-};
-
-/// Turns faces that disagree, and cuts where that does not help. @param faces  soup faces of the triangles
-void orient_view(TriangleSoup& soup, const std::vector<int>& faces, Triangles& view_triangles, std::vector<int>& origin,
-                 std::vector<int>& turned_faces) {
-  Points points = soup.points;
-  for (std::size_t v = points.size(); v < origin.size(); ++v) points.push_back(soup.points[origin[v]]);
-  OrientedSoup oriented = orient_soup(points, view_triangles);
-  const std::vector<char> turned = keep_the_majority(view_triangles, oriented);
-  for (std::size_t k = 0; k < faces.size(); ++k)
-    if (turned[k]) {
-      std::swap(soup.triangles[faces[k]][1], soup.triangles[faces[k]][2]);
-      turned_faces.push_back(faces[k]);
-    }
-  for (std::size_t v = origin.size(); v < oriented.origin.size(); ++v) origin.push_back(origin[oriented.origin[v]]);
-  view_triangles = std::move(oriented.triangles);
-}
 
 /// Cuts and turns the pieces of surface with a disordered vertex; keeps the order of triangles.
 void put_in_order(TriangleSoup& soup, const VertexSurvey& survey, FlatView& view) {
@@ -164,9 +30,15 @@ void put_in_order(TriangleSoup& soup, const VertexSurvey& survey, FlatView& view
       own_faces.push_back(view.face(k));
       own.push_back(triangles[k]);
     }
-  if (survey.non_manifold_edges > 0) own = EdgePairing(soup.points, own).separated(view.origin);
-  if (survey_vertices(own, view.origin.size()).any(VertexState::disordered))
-    orient_view(soup, own_faces, own, view.origin, view.turned_faces);
+  if (survey.non_manifold_edges > 0) separate_at_edges(soup.points, own, view.origin);
+  if (survey_vertices(own, view.origin.size()).any(VertexState::disordered)) {
+    const std::vector<char> is_turned = orient_soup(own, view.origin);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      if (is_turned[k]) {
+        std::swap(soup.triangles[own_faces[k]][1], soup.triangles[own_faces[k]][2]);
+        view.turned_faces.push_back(own_faces[k]);
+      }
+  }
   for (std::size_t k = 0; k < places.size(); ++k) triangles[places[k]] = own[k];
 }
 

@@ -3,7 +3,6 @@
 
 #include "core/error.h"
 #include "mesh/by_position.h"
-#include "mesh/narrow_patch.h"
 #include "mesh/point_diameter.h"
 
 #include <Eigen/Geometry>

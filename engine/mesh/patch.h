@@ -52,6 +52,10 @@ inline constexpr int patch_rings = 6;
 Patch make_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                  const std::vector<LoopPatch>& initial_patches);
 
+/// make_patch() with so many rings, at least 1: two are enough to look for folds and to paste it.
+Patch make_narrow_patch(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                        const std::vector<LoopPatch>& initial_patches, int rings);
+
 /// Largest distance between two vertices of the loop, patch frame. @param loop  which of patch.loops.
 double loop_diameter(const Patch& patch, std::size_t loop);
 

@@ -2,7 +2,6 @@
 #include "mesh/self_intersections.h"
 
 #include "core/release.h"
-#include "mesh/count_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>

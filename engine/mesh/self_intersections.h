@@ -5,6 +5,7 @@
 #include "core/cancel.h"
 #include "core/types.h"
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -20,6 +21,11 @@ std::vector<std::pair<int, int>> self_intersections(const Points& points, const 
 /// For each of the first `count` triangles, whether it cuts one of the others; what those cut among themselves is not looked at.
 /// @returns #count; empty when cancelled, or where the boxes of more than 20 million pairs meet, which would take seconds
 std::vector<char> triangles_that_cut(const Points& points, const Triangles& triangles, int count,
+                                     const CancelToken& cancel = {});
+
+/// The number of pairs that self_intersections() would return for all triangles, or `most` where there are more: loose triangles may
+/// have as many as their number squared.
+std::size_t count_self_intersections(const Points& points, const Triangles& triangles, std::size_t most,
                                      const CancelToken& cancel = {});
 
 /// For each point the first in exactly the same place.

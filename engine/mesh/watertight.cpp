@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/watertight.h"
 
-#include "mesh/count_intersections.h"
 #include "mesh/self_intersections.h"
 
 #include <Eigen/Geometry>

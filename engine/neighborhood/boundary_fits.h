@@ -3,10 +3,23 @@
 #pragma once
 
 #include "mesh/patch.h"
-#include "neighborhood/fixed_surface.h"
+#include "operators/topology.h"
+#include "operators/vertex_normals.h"
 #include "split/split_estimate.h"
 
 namespace loopmend {
+
+/// The triangles around a patch by themselves, with what fits to them need.
+struct FixedSurface {
+  explicit FixedSurface(const Patch& patch)
+      : triangles(patch.triangles.begin() + patch.patch_triangles, patch.triangles.end()),
+        topology(patch.vertex_count(), triangles),
+        normals(angle_weighted_normals(patch.positions, triangles)) {}
+
+  Triangles triangles;
+  Topology topology;  ///< of all vertices; the free ones have no neighbours
+  Points normals;     ///< #V, zero at the free vertices
+};
 
 /// At one loop vertex, from the neighborhood alone. Patch frame; uncertainties are standard deviations.
 struct BoundaryFit {

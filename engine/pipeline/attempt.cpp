@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/attempt.h"
 
+#include "core/seconds_since.h"
 #include "core/threads.h"
 #include "evolution/state.h"
 #include "mesh/quality.h"
 #include "pipeline/bend_aside.h"
 #include "pipeline/local_rollback.h"
-#include "pipeline/seconds_since.h"
 #include "pipeline/unfold.h"
 
 #include <chrono>

@@ -3,10 +3,10 @@
 
 #include "core/error.h"
 
+#include "core/seconds_since.h"
 #include "mesh/join_parts.h"
 #include "pipeline/candidates.h"
 #include "pipeline/paste.h"
-#include "pipeline/seconds_since.h"
 
 #include <algorithm>
 #include <chrono>

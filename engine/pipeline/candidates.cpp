@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/candidates.h"
 
+#include "core/seconds_since.h"
 #include "edges/sharp_patch.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/multi_start.h"
-#include "pipeline/seconds_since.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,6 +2,7 @@
 #include "pipeline/fill_holes.h"
 
 #include "core/error.h"
+#include "core/seconds_since.h"
 #include "core/threads.h"
 #include "filling/patch_size.h"
 #include "mesh/pieces.h"
@@ -175,7 +176,7 @@ GroupResult gone_on(const Fill& fill, const InitialPatch& moved) {
 /// One patch between a hole and the islands in it. @param why  is set where there is none; its reason may be empty.
 std::optional<PatchResult> bridged(const Fill& fill, const std::vector<BoundaryLoop>& place, Message& why) {
   const auto start = std::chrono::steady_clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const auto seconds = [&] { return seconds_since(start); };
   try {
     BridgeOutcome outcome = bridge_loops(fill.scan.model, place, fill.options.initial, fill.cancel);
     why = outcome.message;

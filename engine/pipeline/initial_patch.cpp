@@ -2,12 +2,12 @@
 #include "pipeline/initial_patch.h"
 
 #include "core/error.h"
+#include "core/seconds_since.h"
 #include "core/threads.h"
 #include "edges/sharp_patch.h"
 #include "mesh/by_position.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/flat_cut.h"
-#include "pipeline/seconds_since.h"
 #include "split/split_estimate.h"
 
 #include <algorithm>

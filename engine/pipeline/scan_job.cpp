@@ -311,7 +311,8 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
   if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   name_cures(plan, job);
   if (!plan.trimmed.empty()) plan.pairs.clear();  // no command finds the same loops in the file
-  plan.trimmable = few_of_their_pieces(plan.model, bad_boundary_faces(plan.model, plan.to_trim));
+  plan.bad_faces = bad_boundary_faces(plan.model, plan.to_trim);
+  plan.trimmable = few_of_their_pieces(plan.model, plan.bad_faces);
   return plan;
 }
 

@@ -38,7 +38,8 @@ struct ScanPlan {
   std::vector<LoopChoice> choices;         ///< one for each loop
   NearBoundaries coincident;               ///< where --stitch would join something; empty where it was asked for
   std::vector<BadBoundaryFace> trimmed;    ///< faces of the mesh as it was before --trim-boundary
-  std::vector<BadBoundaryFace> trimmable;  ///< bad triangles at the loops to fill, where trimming can be proposed
+  std::vector<BadBoundaryFace> bad_faces;  ///< bad triangles that are left at the boundaries of `to_trim`
+  std::vector<BadBoundaryFace> trimmable;  ///< those of bad_faces for which trimming can be proposed
   std::size_t spared_pieces = 0;           ///< of which --trim-boundary would have taken too much
   std::vector<char> at_walls;              ///< per loop whether it bounds the wall of a pipe or a side of a plate
   TileOutlines tiles;                      ///< outlines that are left beside or over other sheets

@@ -2,12 +2,12 @@
 #include "pipeline/solve_group.h"
 
 #include "core/error.h"
+#include "core/seconds_since.h"
 #include "core/threads.h"
 #include "pipeline/bend_aside.h"
 #include "pipeline/candidates.h"
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/patch_relief.h"
-#include "pipeline/seconds_since.h"
 #include "pipeline/tiny_hole.h"
 
 #include <algorithm>

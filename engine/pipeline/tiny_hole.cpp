@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/tiny_hole.h"
 
+#include "core/seconds_since.h"
 #include "filling/triangulate_loop.h"
-#include "mesh/narrow_patch.h"
+#include "mesh/patch.h"
 #include "mesh/vertex_fans.h"
 #include "pipeline/edge_preview.h"
-#include "pipeline/seconds_since.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

@@ -4,7 +4,7 @@
 
 Usage: make_gallery.py PROGRAM   writes fig*.png beside this file
 
-Runs `PROGRAM reproduce all`. Needs NumPy, PyVista and Pillow, and xvfb-run where there is no display.
+PROGRAM is loopmend_reproduce (tests/reproduce). Needs NumPy, PyVista and Pillow, and xvfb-run where there is no display.
 """
 import subprocess
 import sys
@@ -59,7 +59,7 @@ def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([sys.argv[1], "reproduce", "all", "-o", folder, "--quiet"], check=True)
+        subprocess.run([sys.argv[1], "all", "-o", folder, "--quiet"], check=True)
         for name in VIEWS:
             draw(name, *(pyvista.read(Path(folder) / f"{name}-{part}.ply") for part in ("input", "result")))
 

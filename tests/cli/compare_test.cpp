@@ -76,21 +76,5 @@ TEST_F(CliCompare, RefusesASurfaceWithoutHoles) {
   EXPECT_FALSE(std::filesystem::exists(work / "flows"));
 }
 
-TEST_F(CliCompare, ReproduceOneFigure) {
-  const Outcome outcome = run("reproduce", "fig5.4");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("fig5.4    reproduced"));
-  for (const char* file : {"index.html", "report.md", "fig5.4.png", "fig5.4-result.ply"})
-    EXPECT_GT(std::filesystem::file_size(work / "flows" / file), 100u) << file;
-  EXPECT_THAT(test::text_of(work / "flows" / "index.html"), HasSubstr("A dodecahedron"));
-}
-
-TEST_F(CliCompare, ReproduceRefusesAFigureThatIsNone) {
-  const Outcome outcome = run("reproduce", "fig9");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("no figure 'fig9'"));
-  EXPECT_FALSE(std::filesystem::exists(work / "flows"));
-}
-
 }  // namespace
 }  // namespace loopmend

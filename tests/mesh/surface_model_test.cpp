@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -64,10 +65,30 @@ TEST(SurfaceModel, UnreferencedPointsStayInTheSoupAndOutOfTheView) {
 
 TEST(SurfaceModel, AFaceThatDisagreesIsTurnedInPlace) {
   TriangleSoup soup = make_icosphere(1);
-  std::swap(soup.triangles[0][1], soup.triangles[0][2]);  // the first, which CGAL alone would follow
+  std::swap(soup.triangles[0][1], soup.triangles[0][2]);  // the first, from which the walk starts
   const SurfaceModel model = make_surface_model(soup);
   EXPECT_EQ(model.repairs.reoriented_faces, 1u);
   EXPECT_TRUE(find_boundary_loops(model).empty());
+}
+
+TEST(SurfaceModel, AOneSidedStripIsCutAcrossOnce) {
+  TriangleSoup soup;
+  constexpr int n = 12;
+  for (int i = 0; i < n; ++i) {
+    const double turn = 2 * std::numbers::pi * i / n, tilt = turn / 2;
+    for (const double side : {-0.3, 0.3}) {
+      const double r = 1 + side * std::cos(tilt);
+      soup.points.emplace_back(r * std::cos(turn), r * std::sin(turn), side * std::sin(tilt));
+    }
+    const int a = 2 * i, b = a + 1, c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0;
+    soup.triangles.push_back({a, c, b});
+    soup.triangles.push_back({c, d, b});
+  }
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(model.repairs.non_manifold_vertices, 2u);
+  EXPECT_EQ(model.mesh.n_vertices(), 2u * n + 2);
+  EXPECT_EQ(model.mesh.n_edges(), 4u * n + 1);
+  EXPECT_EQ(find_boundary_loops(model).size(), 1u);
 }
 
 TEST(SurfaceModel, DegenerateAndDuplicateFacesAreCountedAndKeptInTheSoup) {

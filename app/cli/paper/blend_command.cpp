@@ -7,6 +7,7 @@
 #include "paper_commands.h"
 
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/version.h"
 #include "pipeline/blend.h"
 #include "pipeline/continue_attributes.h"
@@ -104,7 +105,7 @@ int run_blend(const BlendCommand& command) {
     for (const NotKept& entry : import.not_kept) count_not_kept(not_read, entry.what, entry.count);
   const OutputLosses losses =
       losses_of(command.output, model.soup, command.words.encoding(), not_read, parts.joined.model.soup.points.size());
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   Json json = blend_report(command, parts, loops, result);
   json["exterior_unchanged"] = losses.largest_exterior_rounding == 0;
   json["output"] = losses_json(losses);

@@ -9,12 +9,15 @@
 #include "vertex_selection.h"
 
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/version.h"
+#include "flows/flow_terms.h"
 #include "io/atomic_file.h"
 #include "pipeline/problem.h"
 #include "problems/comparison_table.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -69,6 +72,23 @@ PosedProblem problem_of(const CompareCommand& command) {
   return command.inputs.size() > 1 || !command.loops.empty() ? blend_problem(command) : hole_problem(command);
 }
 
+nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
+  nlohmann::ordered_json json;
+  for (const ComparedFlow& run : comparison.runs) {
+    nlohmann::ordered_json one = patch_json(run.outcome);
+    one["flow"] = to_string(run.outcome.flow);
+    one["area"] = run.energies.area;
+    one["bending_energy"] = run.energies.bending;
+    one["variation_energy"] = run.energies.variation;
+    const SeamFigures seam = seam_figures(run.outcome.seams);
+    one["h_jump_wide"] = run.wide_jump;
+    one["h_jump_rms"] = std::isfinite(seam.jump) ? nlohmann::ordered_json(seam.jump) : nlohmann::ordered_json(nullptr);
+    for (const SeamReport& report : run.outcome.seams) one["seams"].push_back(seam_json(report));
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
 }  // namespace
 
 int run_compare(const CompareCommand& command) {
@@ -95,7 +115,7 @@ int run_compare(const CompareCommand& command) {
   json["flows"] = comparison_json(comparison);
   commit_with_report(outputs, command.words.report, json);
   if (!command.words.quiet) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = seconds_since(begin);
     std::fprintf(command.words.report == "-" ? stderr : stdout, "%s%d free vertices; %s written in %.2f s\n",
                  comparison_table(comparison).c_str(), problem.start.free_count, path_text(command.output).c_str(),
                  seconds);

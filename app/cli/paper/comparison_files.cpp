@@ -2,7 +2,6 @@
 #include "comparison_files.h"
 
 #include "cli/outputs.h"
-#include "cli/report.h"
 #include "line_plot.h"
 #include "problems/comparison_table.h"
 
@@ -54,23 +53,6 @@ std::vector<std::filesystem::path> comparison_files(const std::filesystem::path&
                            "profile.svg", "table.csv", "table.md"})
     files.push_back(folder / name);
   return files;
-}
-
-nlohmann::ordered_json comparison_json(const FlowComparison& comparison) {
-  nlohmann::ordered_json json;
-  for (const ComparedFlow& run : comparison.runs) {
-    nlohmann::ordered_json one = patch_json(run.outcome);
-    one["flow"] = to_string(run.outcome.flow);
-    one["area"] = run.energies.area;
-    one["bending_energy"] = run.energies.bending;
-    one["variation_energy"] = run.energies.variation;
-    const SeamFigures seam = seam_figures(run.outcome.seams);
-    one["h_jump_wide"] = run.wide_jump;
-    one["h_jump_rms"] = std::isfinite(seam.jump) ? nlohmann::ordered_json(seam.jump) : nlohmann::ordered_json(nullptr);
-    for (const SeamReport& report : run.outcome.seams) one["seams"].push_back(seam_json(report));
-    json.push_back(std::move(one));
-  }
-  return json;
 }
 
 void write_comparison(OutputTransaction& outputs, const Problem& problem, const FlowComparison& comparison,

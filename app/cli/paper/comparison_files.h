@@ -6,8 +6,6 @@
 #include "pipeline/compare.h"
 #include "pipeline/problem.h"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,7 +23,5 @@ std::vector<std::filesystem::path> comparison_files(const std::filesystem::path&
 void write_comparison(OutputTransaction& outputs, const Problem& problem, const FlowComparison& comparison,
                       const std::string& title, const std::filesystem::path& folder,
                       const std::optional<Vec3>& eye = std::nullopt);
-
-nlohmann::ordered_json comparison_json(const FlowComparison& comparison);
 
 }  // namespace loopmend

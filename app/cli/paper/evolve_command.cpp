@@ -9,6 +9,7 @@
 
 #include "analysis/seam_report.h"
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/version.h"
 #include "pipeline/continue_attributes.h"
 #include "pipeline/evolve_region.h"
@@ -74,7 +75,7 @@ int run_evolve(const EvolveCommand& command) {
   write_mesh(outputs, command.output, surface, command.words.encoding());
   const OutputLosses losses =
       losses_of(command.output, surface, command.words.encoding(), opened.import.not_kept, surface.points.size());
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   nlohmann::ordered_json json = patch_json(evolved);
   json["version"] = version();
   json["command_line"] = command.command_line;

@@ -8,6 +8,7 @@
 #include "vertex_selection.h"
 
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/version.h"
 #include "pipeline/interpolate.h"
 
@@ -41,7 +42,7 @@ int run_interpolate(const InterpolateCommand& command) {
   write_mesh(outputs, command.output, result.surface, command.words.encoding());
   const OutputLosses losses = losses_of(command.output, result.surface, command.words.encoding(),
                                         opened.import.not_kept, static_cast<std::size_t>(result.fixed_count));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = seconds_since(start);
   nlohmann::ordered_json json = patch_json(evolved);
   json["version"] = version();
   json["command_line"] = command.command_line;

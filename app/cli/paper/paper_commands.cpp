@@ -101,22 +101,6 @@ void add_compare(CLI::App& app, CompareCommand& command) {
       "  loopmend compare dodecahedron.off -o flows --subdivide 3");
 }
 
-void add_reproduce(CLI::App& app, ReproduceCommand& command) {
-  CLI::App* reproduce = app.add_subcommand("reproduce", "Run the experiments of the paper and write a report");
-  reproduce
-      ->add_option("FIGURE", command.figures,
-                   "all, or fig5.1a fig5.1d fig5.2a fig5.2d fig5.2g fig5.3 fig5.4 fig5.5 fig5.6 table5.1")
-      ->required();
-  reproduce->add_option("-o,--output", command.output, "Folder to write to; made if need be")
-      ->type_name("DIR")
-      ->required();
-  reproduce->add_flag("--quiet", command.quiet, "No progress and no summary");
-  reproduce->footer(
-      "Written: index.html and report.md with every claim, picture and number, Table 5.1 beside ours, and the meshes.\n"
-      "Example:\n"
-      "  loopmend reproduce all -o paper");
-}
-
 }  // namespace
 
 void PaperCommands::add_to(CLI::App& app) {
@@ -124,7 +108,6 @@ void PaperCommands::add_to(CLI::App& app) {
   add_interpolate(app, interpolate_);
   add_evolve(app, evolve_);
   add_compare(app, compare_);
-  add_reproduce(app, reproduce_);
 }
 
 std::optional<int> PaperCommands::run(const CLI::App& app, const std::string& command_line) {
@@ -133,7 +116,6 @@ std::optional<int> PaperCommands::run(const CLI::App& app, const std::string& co
   if (app.got_subcommand("interpolate")) return run_interpolate(interpolate_);
   if (app.got_subcommand("evolve")) return run_evolve(evolve_);
   if (app.got_subcommand("compare")) return run_compare(compare_);
-  if (app.got_subcommand("reproduce")) return run_reproduce(reproduce_);
   return std::nullopt;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands for the paper's other problems: blend, interpolate, evolve, compare, reproduce.
+// The commands for the paper's other problems: blend, interpolate, evolve, compare.
 #pragma once
 
 #include "cli/flow_words.h"
@@ -51,18 +51,11 @@ struct CompareCommand {
   std::string command_line;
 };
 
-struct ReproduceCommand {
-  std::vector<std::string> figures;  ///< "all", "fig5.1a", ...
-  std::filesystem::path output;      ///< folder
-  bool quiet = false;
-};
-
 /// @returns an ExitCode. @throws ReadError, WriteError, UsageError, InvalidArgument.
 int run_blend(const BlendCommand& command);
 int run_interpolate(const InterpolateCommand& command);
 int run_evolve(const EvolveCommand& command);
 int run_compare(const CompareCommand& command);
-int run_reproduce(const ReproduceCommand& command);
 
 /// Options of all of them, and which one to run.
 class PaperCommands {
@@ -76,7 +69,6 @@ class PaperCommands {
   InterpolateCommand interpolate_;
   EvolveCommand evolve_;
   CompareCommand compare_;
-  ReproduceCommand reproduce_;
 };
 
 }  // namespace loopmend

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Wall-clock time.
 #pragma once
 
 #include <chrono>

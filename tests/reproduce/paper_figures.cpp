@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/paper/paper_figures.h"
+#include "paper_figures.h"
 
 #include "core/error.h"
 #include "filling/subdivide_polyhedron.h"

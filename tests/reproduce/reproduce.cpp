@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands.h"
-#include "cli/outputs.h"
-#include "comparison_files.h"
-#include "exit_codes.h"
-#include "paper_commands.h"
-#include "paper_figures.h"
-
+// Runs the experiments of the paper and writes a report: index.html and report.md with every claim, picture and number,
+// Table 5.1 beside ours, and the meshes.
 #include "analysis/curvature_field.h"
+#include "cli/outputs.h"
+#include "cli/paper/comparison_files.h"
+#include "cli/progress_line.h"
 #include "core/path_text.h"
+#include "core/seconds_since.h"
 #include "core/version.h"
+#include "exit_codes.h"
 #include "io/write_mesh.h"
+#include "paper_figures.h"
 #include "scene/offscreen_render.h"
 #include "scene/surface_shape.h"
+#include "usage_error.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +24,12 @@
 namespace loopmend {
 
 namespace {
+
+struct ReproduceCommand {
+  std::vector<std::string> figures;  ///< "all", "fig5.1a", ...
+  std::filesystem::path output;      ///< folder
+  bool quiet = false;
+};
 
 /// What stays of a run once its files are written.
 struct Entry {
@@ -194,8 +204,6 @@ std::vector<std::string> chosen_figures(const std::vector<std::string>& words) {
   return chosen;
 }
 
-}  // namespace
-
 int run_reproduce(const ReproduceCommand& command) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<std::string> figures = chosen_figures(command.figures);
@@ -212,13 +220,13 @@ int run_reproduce(const ReproduceCommand& command) {
     progress.say(id);
     Entry entry{run_paper_figure(id), 0};
     write_figure(outputs, entry.run, command.output);
-    entry.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    entry.seconds = seconds_since(start);
     entries.push_back(std::move(entry));
   }
   add_text(outputs, command.output / "index.html", page(entries));
   add_text(outputs, command.output / "report.md", markdown(entries));
   outputs.commit();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = seconds_since(begin);
   if (!command.quiet) {
     for (const Entry& entry : entries)
       std::printf("%-8s  %-18s  %s\n", entry.run.id.c_str(), to_string(entry.run.verdict), entry.run.title.c_str());
@@ -227,4 +235,22 @@ int run_reproduce(const ReproduceCommand& command) {
   return exit_done;
 }
 
+}  // namespace
 }  // namespace loopmend
+
+int main(int argc, char** argv) {
+  loopmend::ReproduceCommand command;
+  CLI::App app("Run the experiments of the paper and write a report");
+  app.add_option("FIGURE", command.figures,
+                 "all, or fig5.1a fig5.1d fig5.2a fig5.2d fig5.2g fig5.3 fig5.4 fig5.5 fig5.6 table5.1")
+      ->required();
+  app.add_option("-o,--output", command.output, "Folder to write to; made if need be")->type_name("DIR")->required();
+  app.add_flag("--quiet", command.quiet, "No progress and no summary");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return loopmend::run_reproduce(command);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "loopmend_reproduce: %s\n", error.what());
+    return dynamic_cast<const loopmend::UsageError*>(&error) ? loopmend::exit_usage : loopmend::exit_internal;
+  }
+}
