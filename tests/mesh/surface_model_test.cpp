@@ -2,6 +2,7 @@
 #include "mesh/surface_model.h"
 
 #include "core/error.h"
+#include "core/random.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/patch.h"
 #include "mesh/quality.h"
@@ -308,6 +309,20 @@ TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   EXPECT_EQ(cap(-0.1).kind, LoopKind::hole);
   EXPECT_EQ(cap(-0.5).kind, LoopKind::hole);
   EXPECT_TRUE(why_outer_rim(cap(-0.5)).empty());
+}
+
+/// Noise lets the boundary of a base turn as if it bounded a sheet.
+TEST(BoundaryLoops, ANoisyBaseIsAHole) {
+  int turning = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    TriangleSoup ball = cut(make_icosphere(5), [](const Vec3& p) { return p.z() < -0.6; });
+    Random random(seed);
+    for (Vec3& p : ball.points) p += 0.03 * Vec3(random.bell(), random.bell(), random.bell());
+    const BoundaryLoop base = find_boundary_loops(make_surface_model(ball)).at(0);
+    turning += base.turning > 0.6;
+    EXPECT_EQ(base.kind, LoopKind::hole) << seed << ": " << base.turning;
+  }
+  EXPECT_GT(turning, 0);
 }
 
 TEST(BoundaryLoops, ASmallLoopThatTurnsLikeASheetIsAHole) {
