@@ -352,7 +352,9 @@ std::unique_ptr<Texture> texture_of(const fs::path& path, const ScanAttributes& 
     return std::make_unique<ObjTexture>(scan, files);
   if (scan.format == "glTF" && is_gltf_name(path) && scan.materials && !scan.materials->pictures.empty())
     return std::make_unique<GltfTexture>(scan, files);
-  if (is_written_as("PLY", ".ply") && scan.texture.count() > 0) return std::make_unique<PlyTexture>(scan, files);
+  const auto names_picture = [](const std::string& remark) { return !TextureFiles::name_in(remark).empty(); };
+  if (is_written_as("PLY", ".ply") && (scan.texture.count() > 0 || std::ranges::any_of(scan.remarks, names_picture)))
+    return std::make_unique<PlyTexture>(scan, files);
   return nullptr;
 }
 
@@ -360,7 +362,7 @@ void write_texture(Texture& texture, TriangleSoup& soup, const WriteScanOptions&
                    const CancelToken& cancel) {
   auto continued = std::make_shared<ScanAttributes>(soup.continued ? *soup.continued : ScanAttributes{});
   texture.name_files(*continued);
-  if (options.texture) {
+  if (options.texture && soup.attributes->texture.count() > 0) {
     std::size_t like_face = 0;
     PaintedPatches painted = paint_patches(
         soup,

@@ -138,6 +138,22 @@ TEST_F(WriteScan, PlyIsPaintedToo) {
   }
 }
 
+/// The picture of a PLY with texture coordinates at its vertices comes along, though no patch is painted.
+TEST_F(WriteScan, ThePictureOfVerticesIsCopied) {
+  const TriangleSoup bowl = read_mesh(folder_ / "in/bowl.obj").soup;
+  std::ofstream ply(folder_ / "in/bowl.ply");
+  ply << "ply\nformat ascii 1.0\ncomment TextureFile pictures/a b.png\nelement vertex " << bowl.points.size()
+      << "\nproperty float x\nproperty float y\nproperty float z\nproperty float s\nproperty float t\nelement face "
+      << bowl.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Vec3& p : bowl.points)
+    ply << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << (p.x() + 1) / 2 << ' ' << (p.y() + 1) / 2 << '\n';
+  for (const Triangle& t : bowl.triangles) ply << 3 << ' ' << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  ply.close();
+  const WrittenScan written = fill("out/bowl.ply", {}, "in/bowl.ply");
+  EXPECT_EQ(written.painted, 0U);
+  EXPECT_EQ(read_bytes(folder_ / "out/pictures/a b.png"), read_bytes(folder_ / "in/pictures/a b.png"));
+}
+
 /// What lies beside the scan must not cost the fill.
 TEST_F(WriteScan, OddFilesBesideTheScanAreNoReasonToFail) {
   std::string obj = read_bytes(folder_ / "in/bowl.obj");
