@@ -132,14 +132,15 @@ class SoupEdges {
  public:
   explicit SoupEdges(const SurfaceModel& model) {
     if (model.mesh.n_vertices() == 0 ||
-        (model.repairs.non_manifold_edges == 0 && model.repairs.non_manifold_vertices == 0))
+        (model.repairs.non_manifold_edges == 0 && model.repairs.non_manifold_vertices == 0 &&
+         model.repairs.duplicate_faces == 0))
       return;
     std::vector<char> on_boundary(model.soup.points.size(), 0);
     for (const auto v : model.mesh.vertices())
       if (model.mesh.is_boundary(v) && !is_cut_off(model, v.idx())) on_boundary[model.soup_vertex[v.idx()]] = 1;
-    for (int f : model.soup_face)
-      for (int k = 0; k < 3; ++k) {
-        const int a = model.soup.triangles[f][k], b = model.soup.triangles[f][(k + 1) % 3];
+    for (const Triangle& t : model.soup.triangles)  // also those that the view left out
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int a = t[k], b = t[(k + 1) % 3];
         if (on_boundary[a] && on_boundary[b]) ++faces_[key(a, b)];
       }
   }

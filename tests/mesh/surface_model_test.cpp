@@ -311,6 +311,21 @@ TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   EXPECT_TRUE(why_outer_rim(cap(-0.5)).empty());
 }
 
+/// A patch would give the boundary edges of a face that is there twice a third face.
+TEST(BoundaryLoops, ATwofoldFaceAtTheBoundaryIsNoHole) {
+  TriangleSoup ball = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.8; });
+  const SurfaceModel once = make_surface_model(ball);
+  const BoundaryLoop hole = find_boundary_loops(once).at(0);
+  ASSERT_EQ(hole.kind, LoopKind::hole);
+  const int a = once.soup_vertex[hole.vertices[0]], b = once.soup_vertex[hole.vertices[1]];
+  const auto at_edge = std::ranges::find_if(ball.triangles, [&](const Triangle& t) {
+    return std::ranges::count(t, a) == 1 && std::ranges::count(t, b) == 1;
+  });
+  const Triangle twofold = *at_edge;
+  ball.triangles.push_back({twofold[0], twofold[2], twofold[1]});
+  EXPECT_EQ(find_boundary_loops(make_surface_model(ball)).at(0).kind, LoopKind::cut);
+}
+
 /// Noise lets the boundary of a base turn as if it bounded a sheet.
 TEST(BoundaryLoops, ANoisyBaseIsAHole) {
   int turning = 0;
