@@ -140,7 +140,7 @@ std::string csv_field(const std::string& text) {
 const char* SummaryRow::status() const {
   if (end.state == ScanEnd::State::error) return "error";
   if (end.state == ScanEnd::State::waiting) return "waiting";
-  if (end.code != exit_done || !figures) return "look";
+  if (end.code != exit_done || !figures) return "open";
   return figures->filled > 0 ? "filled" : "nothing";
 }
 
@@ -176,9 +176,10 @@ SummaryCounts counts_of(const std::vector<SummaryRow>& rows) {
     const std::string status = row.status();
     ++(status == "filled"    ? counts.filled
        : status == "nothing" ? counts.nothing
-       : status == "look"    ? counts.look
+       : status == "open"    ? counts.open
        : status == "error"   ? counts.error
                              : counts.waiting);
+    counts.look += status == "filled" && row.figures->look > 0;
     counts.as_before += row.end.state == ScanEnd::State::as_before;
   }
   return counts;

@@ -35,7 +35,7 @@ struct SummaryRow {
   std::optional<ScanFigures> figures;  ///< nothing where there is no report
   std::string picture;                 ///< as the page names it; empty: there is none
 
-  /// "filled", "nothing" (no loop was filled, and none should have been), "look", "error" or "waiting".
+  /// "filled", "nothing" (no loop was filled, and none should have been), "open", "error" or "waiting".
   const char* status() const;
   std::vector<Message> remarks() const;
 };
@@ -43,7 +43,8 @@ struct SummaryRow {
 struct SummaryCounts {
   int filled = 0;   ///< some loop, and everything as asked
   int nothing = 0;  ///< there was nothing to fill
-  int look = 0;     ///< a loop failed or has a bad patch, or none is a hole
+  int open = 0;     ///< a loop failed or has a bad patch, or none is a hole
+  int look = 0;     ///< of those filled: with a patch that a person should look at
   int error = 0, waiting = 0;
   int as_before = 0;  ///< of the first three, those that an earlier run did
 };

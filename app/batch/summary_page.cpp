@@ -90,7 +90,7 @@ th{position:sticky;top:0;background:#eee}
 th button{font:inherit;border:0;background:none;padding:0;cursor:pointer}
 th[aria-sort=ascending] button::after{content:' \25B2'}th[aria-sort=descending] button::after{content:' \25BC'}
 td.n{text-align:right}td ul{margin:0;padding-left:1.1rem;min-width:18rem;max-width:34rem}
-td.look,[data-status=look] .status{background:#ffe9c2}td.bad,[data-status=error] .status{background:#ffd0d0}
+td.look,[data-status=open] .status{background:#ffe9c2}td.bad,[data-status=error] .status{background:#ffd0d0}
 [data-status=waiting] .status,[data-status=nothing] .status{background:#e6e6e6}
 img{width:420px;cursor:zoom-in}img.large{width:1200px;cursor:zoom-out}
 code{white-space:pre-wrap}form{margin:.5rem 0}[hidden]{display:none}
@@ -132,9 +132,10 @@ std::string to_look_at(const std::vector<SummaryRow>& rows) {
   int count = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string status = rows[k].status();
-    if ((status != "look" && status != "error") || ++count > most) continue;
-    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + xml_text(rows[k].scan.name) + "</a> (" + status + ") " +
-            listed(english(rows[k].remarks())) + "</li>\n";
+    const bool has_look = status == "filled" && rows[k].figures->look > 0;
+    if ((status != "open" && status != "error" && !has_look) || ++count > most) continue;
+    list += "<li><a href='#s" + std::to_string(k + 1) + "'>" + xml_text(rows[k].scan.name) + "</a> (" +
+            (has_look ? "look" : status) + ") " + listed(english(rows[k].remarks())) + "</li>\n";
   }
   if (count > most) list += "<li>" + std::to_string(count - most) + " more</li>\n";
   return count == 0 ? std::string() : "<h2>To look at</h2>\n<ul>\n" + list + "</ul>\n";
@@ -146,16 +147,17 @@ std::string summary_page(const fs::path& folder, const std::vector<SummaryRow>& 
   const SummaryCounts counts = counts_of(rows);
   std::string html = page_head;
   html += "<h1>" + std::to_string(rows.size()) + " scans</h1>\n<p>" + std::to_string(counts.filled) + " filled, " +
-          std::to_string(counts.nothing) + " with nothing to fill, " + std::to_string(counts.look) + " to look at, " +
-          std::to_string(counts.error) + (counts.error == 1 ? " error, " : " errors, ") +
-          std::to_string(counts.waiting) + " waiting; " + std::to_string(counts.as_before) +
+          std::to_string(counts.look) + " of them to look at, " + std::to_string(counts.nothing) +
+          " with nothing to fill, " + std::to_string(counts.open) + " left open, " + std::to_string(counts.error) +
+          (counts.error == 1 ? " error, " : " errors, ") + std::to_string(counts.waiting) + " waiting; " +
+          std::to_string(counts.as_before) +
           " of them were complete before this run. <a href='summary.csv'>summary.csv</a></p>\n<p>Loopmend " +
           xml_text(version()) + ": <code>" + xml_text(command_line) + "</code></p>\n" + to_look_at(rows);
   html +=
       "<h2>All scans</h2>\n<form hidden><input name='word' type='search' placeholder='name or remark'> <select "
       "name='status'>"
       "<option value=''>every status</option>";
-  for (const char* status : {"filled", "nothing", "look", "error", "waiting"})
+  for (const char* status : {"filled", "nothing", "open", "error", "waiting"})
     html += "<option>" + std::string(status) + "</option>";
   html += "</select></form>\n<table>\n<thead><tr>";
   for (const char* name :

@@ -17,7 +17,7 @@ namespace {
 
 int exit_code_of(const SummaryCounts& counts, BatchCommand::FailOn policy) {
   const bool failed = (policy != BatchCommand::FailOn::never && counts.error > 0) ||
-                      (policy == BatchCommand::FailOn::open && counts.look > 0);
+                      (policy == BatchCommand::FailOn::open && counts.open > 0);
   return failed ? exit_loops_failed : exit_done;
 }
 
@@ -43,8 +43,9 @@ int run_batch(const BatchCommand& command, const CheckFillOptions& check) {
   const SummaryCounts counts = counts_of(rows);
   const double seconds = seconds_since(start);
   if (command.verbosity == Verbosity::normal) {
-    std::printf("%s: %d filled, %d to look at, %s", counted(rows.size(), "scan", "scans").c_str(), counts.filled,
-                counts.look, counted(static_cast<std::size_t>(counts.error), "error", "errors").c_str());
+    std::printf("%s: %d filled, %d of them to look at, %d left open, %s", counted(rows.size(), "scan", "scans").c_str(),
+                counts.filled, counts.look, counts.open,
+                counted(static_cast<std::size_t>(counts.error), "error", "errors").c_str());
     if (counts.nothing > 0) std::printf(", %d with nothing to fill", counts.nothing);
     if (counts.waiting > 0) std::printf(", %d waiting for the next run", counts.waiting);
     if (counts.as_before > 0) std::printf("; %d were complete before", counts.as_before);

@@ -32,11 +32,11 @@ void add_batch(CLI::App& app, BatchCommand& command) {
   batch->add_option("--format", job.format, "Format of the outputs (default: that of each input)")
       ->check(CLI::IsMember({"ply", "stl", "obj", "off", "glb", "gltf", "3mf", "vtp", "vtk"}));
   add_named(*batch, "--pictures", job.pictures, pictures_names,
-            "Pictures before and after: of all scans, of those to look at, or none");
+            "Pictures before and after: of all scans, of those left open, or none");
   add_named(*batch, "--fail-on", command.fail_on, fail_on_names,
-            "Exit code 1: never, where a scan has no output, or also where one is to be looked at");
+            "Exit code 1: never, where a scan has no output, or also where one is left open");
   add_named(*batch, "--again", job.again, again_names,
-            "Complete scans that are filled once more: none, those to look at, or all");
+            "Complete scans that are filled once more: none, those left open, or all");
   batch->add_flag_callback(
       "--overwrite", [&job] { job.existing = BatchJob::Existing::overwrite; },
       "Replace files in DIR that no batch wrote, or that have changed since");

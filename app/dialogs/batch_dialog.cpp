@@ -116,14 +116,14 @@ QWidget* BatchDialog::build_choices() {
   pictures_ = new QComboBox;
   explain(pictures_, "batchPictures", tr("Pictures"), tr("Pictures before and after, in the page of the results"));
   for (const auto& [text, value] : {std::pair{tr("Of all scans"), BatchJob::Pictures::all},
-                                    {tr("Of scans to look at"), BatchJob::Pictures::open},
+                                    {tr("Of scans left open"), BatchJob::Pictures::open},
                                     {tr("None"), BatchJob::Pictures::none}})
     pictures_->addItem(text, static_cast<int>(value));
   again_ = new QComboBox;
   explain(again_, "batchAgain", tr("Filled before"),
           tr("What is done with scans that are complete in the folder of the results"));
   for (const auto& [text, value] : {std::pair{tr("Leave as they are"), BatchJob::Again::none},
-                                    {tr("Fill those to look at again"), BatchJob::Again::open},
+                                    {tr("Fill those left open again"), BatchJob::Again::open},
                                     {tr("Fill all again"), BatchJob::Again::all}})
     again_->addItem(text, static_cast<int>(value));
   prepare_ = make_option<QCheckBox>(

@@ -59,7 +59,7 @@ QString status_of(const SummaryRow& row) {
   const QString status = QLatin1String(row.status());
   const QString text = status == QLatin1String("filled")    ? tr("filled")
                        : status == QLatin1String("nothing") ? tr("nothing to fill")
-                       : status == QLatin1String("look")    ? tr("to look at")
+                       : status == QLatin1String("open")    ? tr("left open")
                        : status == QLatin1String("error")   ? tr("error")
                                                             : tr("waits for the next run");
   return row.end.state == ScanEnd::State::as_before ? tr("%1, as before").arg(text) : text;
@@ -71,7 +71,7 @@ HoleState sign_of(const SummaryRow& row) {
   if (status == QLatin1String("waiting")) return HoleState::open;
   if (status == QLatin1String("nothing")) return HoleState::left_out;
   if (row.figures && row.figures->bad > 0) return HoleState::bad;
-  return status == QLatin1String("look") || (row.figures && row.figures->look > 0) ? HoleState::look
+  return status == QLatin1String("open") || (row.figures && row.figures->look > 0) ? HoleState::look
                                                                                    : HoleState::converged;
 }
 
@@ -92,7 +92,7 @@ QString summary_of(const std::vector<SummaryRow>& rows) {
   }
   QStringList parts{tr("%1 filled").arg(counts.filled)};
   if (counts.nothing > 0) parts << tr("%1 with nothing to fill").arg(counts.nothing);
-  if (counts.look > 0) parts << tr("%1 to look at").arg(counts.look);
+  if (counts.open > 0) parts << tr("%1 left open").arg(counts.open);
   if (counts.error > 0) parts << tr("%1 with an error").arg(counts.error);
   if (counts.waiting > 0) parts << tr("%1 waiting for the next run").arg(counts.waiting);
   const char* const scans = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln scan(s): ");

@@ -136,7 +136,7 @@ TEST_F(Batch, FillsEachScanAsFillDoes) {
   write_ball(scans / "inner" / "a.ply", 0.7);
   const auto run = batch("--jobs 2");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("3 scans: 3 filled, 0 to look at, 0 errors"));
+  EXPECT_THAT(run.out, HasSubstr("3 scans: 3 filled, 0 of them to look at, 0 left open, 0 errors"));
   for (const char* name : {"a.ply", "b.stl", "inner/a.ply"}) {
     EXPECT_EQ(text_of(results / "filled" / name), filled_alone(scans / name)) << name;
     EXPECT_TRUE(fs::exists(results / "reports" / (std::string(name) + ".json"))) << name;
@@ -190,7 +190,7 @@ TEST_F(Batch, TellsWhatWentWrongInARowAndByItsExitCode) {
   const auto run = batch("--no-auto");
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("notes.ply: does not begin with \"ply\""));
-  EXPECT_THAT(statuses(), ElementsAre(Pair("a.ply", "filled"), Pair("notes.ply", "error"), Pair("split.off", "look")));
+  EXPECT_THAT(statuses(), ElementsAre(Pair("a.ply", "filled"), Pair("notes.ply", "error"), Pair("split.off", "open")));
   EXPECT_THAT(text_of(results / "summary.csv"), HasSubstr("does not begin with \"\"ply\"\""));
   EXPECT_THAT(text_of(results / "summary.csv"), HasSubstr("crack: nothing is missing"));
   EXPECT_THAT(text_of(results / "summary.html"), HasSubstr("does not begin with &quot;ply&quot;"));
@@ -366,11 +366,11 @@ TEST_F(Batch, CallsFilledOnlyWhatHasAPatch) {
   write_ball(scans / "open.ply", 0.9);
   const auto run = batch("--fail-on open");
   EXPECT_EQ(run.code, 0);
-  EXPECT_THAT(run.out, HasSubstr("3 scans: 1 filled, 0 to look at, 0 errors, 2 with nothing to fill;"));
+  EXPECT_THAT(run.out, HasSubstr("3 scans: 1 filled, 0 of them to look at, 0 left open, 0 errors, 2 with nothing to fill;"));
   EXPECT_THAT(statuses(),
               ElementsAre(Pair("open.ply", "filled"), Pair("sheet.off", "nothing"), Pair("whole.ply", "nothing")));
   const std::string page = text_of(results / "summary.html");
-  EXPECT_THAT(page, HasSubstr("1 filled, 2 with nothing to fill, 0 to look at"));
+  EXPECT_THAT(page, HasSubstr("1 filled, 0 of them to look at, 2 with nothing to fill, 0 left open"));
   EXPECT_THAT(page, HasSubstr("<td class='status'>filled</td><td class='good'>good</td><td class='n'>0.0"));
   EXPECT_THAT(page, HasSubstr("<ul><li>the surface is closed</li></ul>"));
   EXPECT_THAT(page, HasSubstr("<li>loop 1: skipped, outer rim of an open sheet"));
