@@ -5,6 +5,7 @@
 #include "compare/flow_canvas.h"
 #include "compare/flow_view.h"
 #include "compare/legend_strip.h"
+#include "compare/patch_facing.h"
 #include "compare/picture_clock.h"
 #include "core/error.h"
 #include "document/labels.h"
@@ -42,36 +43,6 @@ QFrame* divider() {
   line->setFrameShape(QFrame::VLine);
   line->setFrameShadow(QFrame::Sunken);
   return line;
-}
-
-/// A patch's middle, half its size, and where its outside looks.
-struct Facing {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero(), outward = Eigen::Vector3d::Zero();
-  double radius = 1;
-};
-
-Facing facing_of(const SurfaceShape& shape) {
-  Eigen::AlignedBox3d box;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double area = 0;
-  const auto point = [&](std::size_t corner) {
-    return Eigen::Vector3d(
-        Eigen::Map<const Eigen::Vector3f>(shape.points.data() + 3 * static_cast<std::size_t>(shape.triangles[corner]))
-            .cast<double>());
-  };
-  for (std::size_t t = 0; t < static_cast<std::size_t>(shape.own_triangles); ++t) {
-    const Eigen::Vector3d a = point(3 * t), b = point(3 * t + 1), c = point(3 * t + 2);
-    for (const Eigen::Vector3d& p : {a, b, c}) box.extend(p);
-    const Eigen::Vector3d normal = (b - a).cross(c - a);
-    sum += normal;
-    area += normal.norm();
-  }
-  Facing facing;
-  if (box.isEmpty()) return facing;
-  facing.middle = box.center();
-  facing.radius = 0.5 * box.diagonal().norm();
-  if (area > 0 && sum.norm() > 0.3 * area) facing.outward = sum.normalized();
-  return facing;
 }
 
 /// The scan's own colours show nothing of flows, and the states of a flow have no estimate of their error.
@@ -431,7 +402,7 @@ void CompareWindow::apply_look() {
 }
 
 void CompareWindow::face_patch() {
-  const Facing facing = facing_of(*flow_comparison_.start()->shape);
+  const PatchFacing facing = facing_of(*flow_comparison_.start()->shape);
   Eigen::Vector3d eye = facing.outward;
   if (eye.isZero()) eye = Eigen::Vector3d(0.55, -0.75, 0.45).normalized();
   // A little from the side, so that shapes read.
@@ -442,7 +413,7 @@ void CompareWindow::face_patch() {
 
 void CompareWindow::frame() {
   if (!flow_comparison_.start()) return;
-  const Facing facing = facing_of(*flow_comparison_.start()->shape);
+  const PatchFacing facing = facing_of(*flow_comparison_.start()->shape);
   for (FlowCanvas* canvas : canvases()) canvas->look_at(facing.middle, 1.25 * facing.radius, Eigen::Vector3d::Zero());
 }
 

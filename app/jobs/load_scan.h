@@ -16,7 +16,7 @@ using OpenedScanPtr = std::shared_ptr<OpenedScan>;
 struct LoadStages {
   std::function<void(SurfaceShapePtr)> picture;  ///< first plain picture, of a large one reduced
   std::function<void(OpenedScanPtr)> opened;     ///< model and loops, no curvature yet
-  std::function<void(QString, double)> stage;  ///< what is being done, in words; the share of the time before it, 0..1
+  std::function<void(QString, double)> stage;    ///< name of the step at work; share of the time before it, 0..1
 };
 
 /// @param path    empty: the embedded sample.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a repair is called, what is at work, and what was done, in words.
+// Names of the repairs, of the one at work, and of those done.
 #pragma once
 
 #include "repair/repair_surface.h"

@@ -140,7 +140,7 @@ class Profiles {
   }
 
   /// Weights of a vertex and of the edge to the next one: 1 and 0. Where a loop has edges so long that their ends say
-  /// little of them, lengths in mean edges. Of a long loop, times what is left of the edges where it is seen round.
+  /// little of them, lengths in mean edges. Of a long loop, times the share of the edges that stays where it is seen round.
   double weight_at(std::size_t k) const {
     const std::size_t before = (k + loop_.vertices.size() - 1) % loop_.vertices.size();
     const auto weight = [&](std::size_t edge) {
@@ -223,7 +223,7 @@ class Profiles {
     longest_ = along;
     shrunk_ = width / length;
   }
-  /// Of a stretch of the boundary around an edge, what is left where a long loop is shrunk to its width; 1 for other loops. A single
+  /// The share of the boundary around an edge that stays where a long loop is shrunk to its width; 1 for other loops. A single
   /// edge of a ragged side may run across.
   double seen_round(std::size_t k) const {
     constexpr std::size_t beside = 4;

@@ -157,7 +157,7 @@ class Overlap {
     return left;
   }
 
-  /// Of what is left its largest fragment stays, and others that are not tiny and lie further off.
+  /// Keeps the largest fragment of the triangles that stay, and others that are not tiny and lie further off.
   void remove_fragments(const std::vector<int>& faces, const SurfaceTree& lower, const Triangles& below) {
     const Left left = left_of(faces);
     if (left.triangles.size() == faces.size()) return;

@@ -64,7 +64,7 @@ struct RepairedSurface {
   RepairCounts counts;
 };
 
-/// What is at work while a scan is repaired or prepared.
+/// The step at work while a scan is repaired or prepared.
 enum class RepairStage {
   survey,          ///< of what the scan needs
   remove_no_data,  ///< faces of missing data
