@@ -14,7 +14,9 @@ namespace loopmend {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double surely = 0.05;        ///< below this cosine a sense is not distinguished from the other
+constexpr double surely = 0.05;  ///< below this cosine a sense is not distinguished from the other
+constexpr double around_center =
+    0.01;  ///< distance of a loop's centre from that of all, in radii, below which they are one
 constexpr double widest_cap = 1.3;     ///< radians: less than a hemisphere
 constexpr double room_between = 0.85;  ///< share of the angle between two directions that their caps may take together
 
@@ -22,11 +24,13 @@ Vec3 mean_of(const Points& points) {
   return std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size());
 }
 
-/// Which way the surface goes on at a loop: its conormals, helped by the way to the centre where these cancel.
-Vec3 way_on(const BridgeEnd& end, const Vec3& center) {
-  const Vec3 way = center - mean_of(end.points);
-  const double distance = way.norm();
-  return distance > 0 ? Vec3(end.onward + 0.5 * way / distance) : end.onward;
+/// The direction in which the surface goes on at a loop: its conormals, helped by the direction of the centre where these cancel.
+/// A loop around the centre has no such direction: rounding would choose it.
+Vec3 onward_to(const BridgeEnd& end, const Vec3& center) {
+  const Vec3 own = mean_of(end.points), direction = center - own;
+  const double distance = direction.norm();
+  return distance > around_center * (end.points.front() - own).norm() ? Vec3(end.onward + 0.5 * direction / distance)
+                                                                      : end.onward;
 }
 
 /// A circle on the unit sphere that stands for a loop.
@@ -106,7 +110,7 @@ std::vector<Cap> caps_of(const std::vector<BridgeEnd>& ends, const Vec3& center)
 }  // namespace
 
 int turning_sense(const BridgeEnd& end, const Vec3& center) {
-  const double cosine = end.axis.dot(way_on(end, center));
+  const double cosine = end.axis.dot(onward_to(end, center));
   return cosine > surely ? 1 : cosine < -surely ? -1 : 0;
 }
 

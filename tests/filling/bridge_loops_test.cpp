@@ -85,6 +85,15 @@ TEST(BridgeLoops, RefusesOneLoopALoopTwiceAndACrack) {
   EXPECT_THROW(bridge_loops(model, loops, {}, {}), InvalidArgument);
 }
 
+TEST(BridgeTopology, RoundingGivesALoopAroundTheCentreNoSense) {
+  BridgeEnd circle{{}, Vec3::UnitZ(), Vec3::Zero(), {}};
+  for (int k = 0; k < 12; ++k) circle.points.emplace_back(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6), 0);
+  EXPECT_EQ(turning_sense(circle, {0, 0, 1e-8}), 0);
+  EXPECT_EQ(turning_sense(circle, {0, 0, -1e-8}), 0);
+  EXPECT_EQ(turning_sense(circle, {0, 0, 0.5}), 1);
+  EXPECT_EQ(turning_sense(circle, {0, 0, -0.5}), -1);
+}
+
 TEST(BridgeTopology, AStripHasOneTriangleForEachEdge) {
   Points a, b;
   for (int i = 0; i < 12; ++i) a.emplace_back(std::cos(i * M_PI / 6), std::sin(i * M_PI / 6), 0);
