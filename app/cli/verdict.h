@@ -2,7 +2,7 @@
 // Whether a surface could be printed, as `--check` reports it.
 #pragma once
 
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 
 #include <nlohmann/json.hpp>
 

@@ -410,7 +410,10 @@ QStringList faults_in_words(const Watertightness& surface) {
   add(surface.reversed_edges,
       QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln edge(s) whose faces look to opposite sides"));
   add(surface.intersections, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln pair(s) of faces that intersect"));
-  if (surface.encloses() && !(surface.volume > 0)) words << tr("the surface is inside out");
+  if (surface.encloses() && !(surface.volume > 0))
+    words << tr("the surface is inside out");
+  else
+    add(surface.inverted_shells, QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln body(s) or cavity(s) inside out"));
   if (!words.isEmpty()) add(surface.touching_edges, touching_words);
   return words;
 }

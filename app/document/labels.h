@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 
 #include <QString>
 

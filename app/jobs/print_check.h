@@ -5,7 +5,7 @@
 #include "document/document.h"
 #include "jobs/fill_controller.h"
 #include "jobs/task_runner.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 
 #include <QObject>
 #include <QTimer>

@@ -4,26 +4,42 @@
 #include "repair/shells.h"
 
 #include <algorithm>
+#include <numeric>
+#include <ranges>
 
 namespace loopmend {
 
 namespace {
 
-bool is_body(const Shell& shell) { return shell.around.size() % 2 == 0; }
+/// What is directly within a shell once those that are inside out are turned.
+enum class Within { solid, cavity };
 
-/// The one that a cavity is in.
-std::size_t body_around(const std::vector<Shell>& shells, const Shell& cavity) {
-  return static_cast<std::size_t>(*std::max_element(cavity.around.begin(), cavity.around.end(), [&](int a, int b) {
-    return shells[a].around.size() < shells[b].around.size();
-  }));
+/// The shell that another one is directly in; -1: it is in none.
+int shell_around(const std::vector<Shell>& shells, int s) {
+  const std::vector<int>& around = shells[s].around;
+  const auto innermost = std::max_element(
+      around.begin(), around.end(), [&](int a, int b) { return shells[a].around.size() < shells[b].around.size(); });
+  return innermost == around.end() ? -1 : *innermost;
 }
 
 /// For each shell whether it is inside out.
 std::vector<char> inverted(const std::vector<Shell>& shells) {
+  std::vector<int> outer_first(shells.size());
+  std::iota(outer_first.begin(), outer_first.end(), 0);
+  std::ranges::stable_sort(outer_first, {}, [&](int s) { return shells[s].around.size(); });
   std::vector<char> result(shells.size(), 0);
-  for (std::size_t s = 0; s < shells.size(); ++s) result[s] = is_body(shells[s]) && shells[s].volume < 0;
-  for (std::size_t s = 0; s < shells.size(); ++s)
-    if (!is_body(shells[s])) result[s] = result[body_around(shells, shells[s])] && shells[s].volume > 0;
+  std::vector<Within> within(shells.size());
+  for (int s : outer_first) {
+    const int outer = shell_around(shells, s);
+    const bool looks_inward = shells[s].volume < 0;
+    if (outer < 0 || within[outer] == Within::cavity) {
+      result[s] = looks_inward;
+      within[s] = Within::solid;
+    } else {  // in the material of another body: a cavity in it, or where that body is as it should be, a part of it
+      result[s] = result[outer] && !looks_inward;
+      within[s] = looks_inward || result[s] ? Within::cavity : Within::solid;
+    }
+  }
   return result;
 }
 
@@ -51,13 +67,15 @@ struct KnownShells {
   std::vector<Shell> all;
   std::vector<Eigen::AlignedBox3d> of_others;  ///< that may be bodies or not
 
-  /// Those that may be cavities or inner walls of others are taken as they are.
+  /// Those that may be cavities or inner walls of others are taken as they are, and so are cavities that look outward in them.
   void leave_what_is_not_known(std::vector<char>& inside_out) const {
     for (std::size_t s = 0; s < all.size(); ++s) {
       const bool may_be_a_cavity = std::any_of(
           of_others.begin(), of_others.end(), [&](const Eigen::AlignedBox3d& box) { return box.contains(all[s].box); });
       if (may_be_a_cavity || (!all[s].is_nearly_closed() && may_be_an_inner_wall(all, all[s]))) inside_out[s] = 0;
     }
+    for (std::size_t s = 0; s < all.size(); ++s)
+      if (all[s].volume > 0 && inside_out[s]) inside_out[s] = inside_out[shell_around(all, static_cast<int>(s))];
   }
 };
 
@@ -101,10 +119,9 @@ std::vector<char> faces_inside_out(const SurfaceModel& model, const std::vector<
   std::vector<char> inside_out = inverted(known.all), faces;
   known.leave_what_is_not_known(inside_out);
   for (std::size_t s = 0; s < known.all.size(); ++s) {
-    const Shell& shell = known.all[s];
-    if (!inside_out[s] || (!is_body(shell) && !inside_out[body_around(known.all, shell)])) continue;
+    if (!inside_out[s]) continue;
     faces.resize(model.soup.triangles.size(), 0);
-    for (int f : shell.faces) faces[f] = 1;
+    for (int f : known.all[s].faces) faces[f] = 1;
   }
   return faces;
 }

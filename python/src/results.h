@@ -4,7 +4,7 @@
 
 #include "fill_job.h"
 
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 
 #include <pybind11/pybind11.h>
 

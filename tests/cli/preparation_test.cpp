@@ -6,7 +6,7 @@
 #include "io/write_mesh.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/scan_attributes.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gmock/gmock.h>

@@ -5,7 +5,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "mesh/scan_attributes.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gmock/gmock.h>

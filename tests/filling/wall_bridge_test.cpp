@@ -3,7 +3,7 @@
 #include "filling/wall_bridge.h"
 
 #include "filling/bridge_loops.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "pipeline/blend.h"
 #include "samples/analytic_surfaces.h"
 

@@ -9,7 +9,7 @@
 #include "document/fill_report.h"
 #include "document/labels.h"
 #include "io/write_mesh.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "panels/banner.h"
 #include "panels/candidate_card.h"
 #include "panels/candidates_panel.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/rounding_cracks.h"
 
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>

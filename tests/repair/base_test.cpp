@@ -2,7 +2,7 @@
 #include "repair/base.h"
 
 #include "core/error.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>

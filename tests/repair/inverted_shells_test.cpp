@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/inverted_shells.h"
 
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "repair/repair_surface.h"
 #include "samples/analytic_surfaces.h"
 
@@ -67,6 +67,14 @@ TEST(InvertedShells, ABodyInACavityIsABodyAndOneInAnotherBodyIsLeft) {
   EXPECT_NEAR(volume(repaired.soup), of_unit_ball * (1 - 0.512 + 0.027), 1e-9);
   const TriangleSoup parts = joined({ball(1, {0, 0, 0}, Facing::outward), ball(0.5, {0, 0, 0}, Facing::outward)});
   EXPECT_FALSE(repair_surface(parts).counts.any());
+}
+
+/// A cavity in a body that is part of another one.
+TEST(InvertedShells, ABodyInABodyKeepsItsCavity) {
+  const TriangleSoup nest = joined({ball(1, {0, 0, 0}, Facing::outward), ball(0.7, {0, 0, 0}, Facing::outward),
+                                    ball(0.3, {0, 0, 0}, Facing::inward)});
+  EXPECT_FALSE(repair_surface(nest).counts.any());
+  EXPECT_TRUE(watertightness(nest).printable());
 }
 
 /// What overlaps is in nothing.

@@ -4,7 +4,7 @@
 #include "io/read_mesh.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 #include "support/sharp_surfaces.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "repair/repair_surface.h"
 #include "support/box.h"
 

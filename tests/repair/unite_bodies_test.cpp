@@ -7,7 +7,7 @@
 #include "mesh/scan_attributes.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_model.h"
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 #include "repair/repair_surface.h"
 #include "samples/analytic_surfaces.h"
 #include "support/box.h"

@@ -24,11 +24,12 @@ struct Watertightness {
   std::size_t non_manifold_edges = 0;  ///< of more than two that are not in such pairs
   std::size_t reversed_edges = 0;      ///< whose two triangles do not agree which side is outside
   std::size_t intersections = 0;       ///< pairs of triangles that cut each other, counted up to most_intersections
+  std::size_t inverted_shells = 0;     ///< bodies and cavities that are inside out among several: see InvertedShells
   double volume = 0;  ///< cubic mesh units; negative: inside out. Tells nothing where the surface is open
 
   /// Whether inside and outside are distinct everywhere: a body that touches itself along an edge is still a body.
   bool encloses() const { return open_edges + non_manifold_edges + reversed_edges == 0; }
-  bool printable() const { return encloses() && intersections == 0 && volume > 0; }
+  bool printable() const { return encloses() && intersections == 0 && inverted_shells == 0 && volume > 0; }
 };
 
 /// @returns what was counted; cancelled, nothing of use.

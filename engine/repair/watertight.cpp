@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 
 #include "mesh/self_intersections.h"
+#include "repair/inverted_shells.h"
 
 #include <Eigen/Geometry>
 
@@ -174,6 +175,10 @@ Watertightness watertightness(const TriangleSoup& soup, const CancelToken& cance
   result.pieces = count_pieces(triangles, soup.points.size());
   result.volume = enclosed_volume(soup.points, triangles);
   result.intersections = count_self_intersections(soup.points, triangles, most_intersections, cancel);
+  if (result.pieces > 1 && result.encloses()) {
+    const SurfaceModel model = make_surface_model({soup.points, triangles});
+    result.inverted_shells = find_inverted_shells(model, find_boundary_loops(model)).closed;
+  }
   return result;
 }
 
@@ -186,7 +191,10 @@ std::vector<std::string> faults(const Watertightness& surface) {
   add(surface.non_manifold_edges, "edge of more than two triangles", "edges of more than two triangles");
   add(surface.reversed_edges, "edge whose triangles face opposite sides", "edges whose triangles face opposite sides");
   add(surface.intersections, "pair of triangles that intersect", "pairs of triangles that intersect");
-  if (surface.encloses() && !(surface.volume > 0)) result.push_back("inside out");
+  if (surface.encloses() && !(surface.volume > 0))
+    result.push_back("inside out");
+  else
+    add(surface.inverted_shells, "body or cavity that is inside out", "bodies or cavities that are inside out");
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/watertight.h"
+#include "repair/watertight.h"
 
 #include "samples/analytic_surfaces.h"
 
@@ -39,6 +39,17 @@ TEST(Watertight, EveryTriangleWithItsOwnCornersIsTheSameSurface) {
   }
   EXPECT_TRUE(watertightness(apart).printable());
   EXPECT_EQ(watertightness(apart).pieces, 1u);
+}
+
+/// The volume of both is positive.
+TEST(Watertight, OneOfTwoBodiesInsideOutIsNotReadyToPrint) {
+  TriangleSoup small = moved(make_icosphere(2), Vec3(5, 0, 0));
+  for (Vec3& p : small.points) p *= 0.5;
+  for (Triangle& t : small.triangles) std::swap(t[1], t[2]);
+  const Watertightness found = watertightness(joined({make_icosphere(2), small}));
+  EXPECT_GT(found.volume, 0);
+  EXPECT_FALSE(found.printable());
+  EXPECT_EQ(faults(found), Words{"1 body or cavity that is inside out"});
 }
 
 TEST(Watertight, HolesAreCountedByBoundaries) {
