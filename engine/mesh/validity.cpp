@@ -7,8 +7,11 @@
 namespace loopmend {
 
 Message faults_of(const Validity& validity) {
-  const Message folds = validity.folds > 0 ? say("%1 folded edges", validity.folds) : Message();
+  const Message folds = validity.folds == 0   ? Message()
+                        : validity.folds == 1 ? say("1 folded edge")
+                                              : say("%1 folded edges", validity.folds);
   if (validity.intersections == 0) return folds;
+  if (folds.empty() && validity.intersections == 1) return say("1 self-intersection");
   if (folds.empty()) return say("%1 self-intersections", validity.intersections);
   return say("%1 folded edges and %2 self-intersections", validity.folds, validity.intersections);
 }

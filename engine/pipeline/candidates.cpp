@@ -89,6 +89,7 @@ bool position(const Situation& s, PatchResult& result) {
 /// As flat as a minimal surface, nearly, and less bold where the loop winds.
 bool initial_patch(const Situation& s, PatchResult& result) {
   result = judged_initial(s.context.problem, s.options, s.context.judge);
+  open_folds(s.context, s.options.flow, result);
   return true;
 }
 

@@ -190,7 +190,7 @@ class GroupSolver {
     if (!initial.patch || cancel_.cancelled()) return result;
     PatchResult made = solved(initial);
     if (cancel_.cancelled()) return result;
-    if (made.validity.intersections > 0 && initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops)
+    if (initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops && is_cut_off(initial, made))
       solve_from_uncut_triangles(initial, made, result.holes.front().message);
     if (made.validity.intersections > 0) bend_past_fragments(initial, made);
     if (cancel_.cancelled()) return result;
@@ -222,10 +222,17 @@ class GroupSolver {
         continue;
       }
       hole->status = patch->status;
-      // Drop the initial patch's warnings once the flow has fixed them.
-      if (patch->status != PatchStatus::filled || !patch->message.empty()) hole->message = patch->message;
+      // Drop the initial patch's warning of folds once these are gone.
+      if (patch->status != PatchStatus::filled || !patch->message.empty() || patch->validity.is_clean())
+        hole->message = patch->message;
     }
     return result;
+  }
+
+  /// Whether the patch, or the initial patch of one that is bad, cuts the surface.
+  bool is_cut_off(const InitialPatch& initial, const PatchResult& made) const {
+    return made.validity.intersections > 0 ||
+           (worst(made.verdicts) == Grade::bad && validate(scan_, *initial.patch).intersections > 0);
   }
 
   /// Of a loop whose every patch cuts the surface: once more from an initial patch that does not. Where there is none, or
@@ -247,8 +254,7 @@ class GroupSolver {
       uncut.survey = initial.survey;
       uncut.seconds = made.seconds.total + seconds_since(start);
       PatchResult next = solved(uncut);
-      if (next.validity.intersections > 0 || cancel_.cancelled()) return;
-      judge_again({scan_, *uncut.patch, initial.loops}, options_.evolution.value_or(EvolutionOptions{}), next);
+      if (cancel_.cancelled() || !(faults(next.verdicts) < faults(made.verdicts))) return;
       made.attempts.emplace_back(text_to_say("from triangles that cut nothing"));
       next.attempts.insert(next.attempts.begin(), made.attempts.begin(), made.attempts.end());
       message = uncut.outcomes.front().message;
@@ -272,7 +278,7 @@ class GroupSolver {
 
   /// The loops whose initial patch it is; none where a flow has moved it.
   static std::vector<BoundaryLoop> loops_of(const InitialPatch& initial) {
-    return initial.origin == InitialPatch::Origin::loops ? initial.loops : std::vector<BoundaryLoop>();
+    return initial.origin == InitialPatch::Origin::evolved ? std::vector<BoundaryLoop>() : initial.loops;
   }
 
   PatchResult solved(const InitialPatch& initial) const {

@@ -255,6 +255,26 @@ TEST(FlatCut, ALongSlotInATubeRunsOn) {
     }
 }
 
+/// A lumpy figure with a base whose boundary has noise of two thirds of a percent.
+TEST(FlatCut, ANoisyBaseIsClosedFlatFromTrianglesThatCutNothing) {
+  constexpr double base = -0.6;
+  TriangleSoup figure = make_icosphere(5);
+  for (Vec3& p : figure.points) {
+    const double wave = 1 + 0.1 * std::sin(5 * p.x()) * std::cos(4 * p.y()) + 0.03 * std::sin(17 * p.z() + 9 * p.x());
+    p = wave * p.cwiseProduct(Vec3(0.8, 0.6, 1.1));
+  }
+  figure = cut(figure, [&](const Vec3& p) { return p.z() < base; });
+  const std::vector<int> boundary = find_boundary_loops(make_surface_model(figure)).at(0).vertices;
+  for (const unsigned seed : {134, 148, 153}) {  // three of sixty whose first patches cut the ragged wall
+    Random random(seed);
+    for (const int v : boundary) figure.points[v].z() = base + 0.01 * random.bell();
+    SurfaceModel model = make_surface_model(figure);
+    const std::vector<HoleResult> results = fill_all_holes(model);
+    ASSERT_EQ(results.size(), 1u);
+    EXPECT_EQ(results[0].verdict().grade, Grade::good) << results[0].verdict().message();
+  }
+}
+
 /// The side that is out does not matter to what is missing.
 TEST(FlatCut, IsTheSameForASurfaceTurnedInsideOut) {
   for (const double top : {-0.2, 0.5}) {
