@@ -277,7 +277,7 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
     if (verdict.folds > 0 && !forced)
       add(verdict, Grade::bad, {NoticeCode::folded_edges, {static_cast<double>(verdict.folds)}});
     if (l < proportions.size()) verdict.proportion = proportions[l];
-    if (is_out_of_proportion(verdict.proportion))
+    if (is_out_of_proportion(verdict.proportion, expected_creases_.empty() ? most_of_a_patch : most_of_sharp_sides))
       add(verdict, Grade::bad, {NoticeCode::bubble, {verdict.proportion.area, verdict.proportion.depth}});
     if (l == 0 && validity.nonmanifold_edges > 0)  // they are counted for the whole patch
       add(verdict, Grade::bad, {NoticeCode::nonmanifold_edges, {static_cast<double>(validity.nonmanifold_edges)}});

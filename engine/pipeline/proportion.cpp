@@ -13,10 +13,6 @@ namespace loopmend {
 
 namespace {
 
-constexpr double large_area = 2.5;
-constexpr double large_depth = 0.4;
-constexpr double notable_energy = 1;
-
 /// Of the part that one loop bounds.
 struct Part {
   double area = 0;
@@ -75,10 +71,9 @@ std::vector<Proportion> proportions_of(const Patch& patch, const Patch& initial)
   return result;
 }
 
-bool is_out_of_proportion(const Proportion& proportion) {
+bool is_out_of_proportion(const Proportion& proportion, const Proportion& most) {
   // The other way round, so that what is not a number is out of proportion.
-  return !(proportion.energy <= notable_energy) &&
-         (!(proportion.area <= large_area) || !(proportion.depth <= large_depth));
+  return !(proportion.energy <= most.energy) && (!(proportion.area <= most.area) || !(proportion.depth <= most.depth));
 }
 
 }  // namespace loopmend
