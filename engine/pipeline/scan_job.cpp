@@ -252,11 +252,15 @@ void check_shapes(const ScanPlan& plan, const ScanJob& job) {
 
 /// A patch over each loop alone leaves a wall hollow, or goes through it.
 void name_pairs(const ScanPlan& plan, std::vector<HoleResult>& results) {
+  const bool several =
+      std::ranges::count_if(plan.pairs, [](const RimPair& pair) { return pair.kind != RimPair::Kind::gap; }) > 1;
   for (const RimPair& pair : plan.pairs)
     for (const auto& [own, other] : {pair.loops, std::pair(pair.loops.second, pair.loops.first)}) {
       if (plan.choices[static_cast<std::size_t>(own)].left == LoopChoice::Left::wide_crack) continue;
       Message& message = results[static_cast<std::size_t>(own)].message;
       message = joined(std::move(message), "; ", advice(pair, own + 1, other + 1));
+      if (several && pair.kind != RimPair::Kind::gap)
+        message = joined(std::move(message), "; ", say("one command takes --loops for each pair"));
     }
 }
 

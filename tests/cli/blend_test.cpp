@@ -3,6 +3,7 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 #include "support/tubes.h"
 
@@ -12,6 +13,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <map>
+#include <string>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -61,6 +66,26 @@ TEST_F(CliBlend, ARingThatIsMissingInOneFileByNumbers) {
   EXPECT_EQ(run.code, 0) << run.err;
   const json info = json::parse(loopmend_program("info " + path("out.ply") + "--json -").out);
   EXPECT_EQ(info["loops"].size(), 2u);
+}
+
+/// A pipe whose wall is open at both ends.
+TEST_F(CliBlend, BothEndsOfAPipeInOneCommand) {
+  TriangleSoup inner = make_revolution([](double) { return 0.8; }, 0, 6, 32, 30);
+  for (Triangle& t : inner.triangles) std::swap(t[1], t[2]);
+  const TriangleSoup pipe = joined({make_revolution([](double) { return 1.0; }, 0, 6, 32, 30), inner});
+  write("pipe.ply", pipe);
+  const json plan = json::parse(loopmend_program("info " + path("pipe.ply") + "--json -").out);
+  std::map<bool, std::string> pairs;  // by whether they are above
+  for (const json& loop : plan["loops"]) {
+    std::string& pair = pairs[pipe.points[loop["vertices"][0].get<std::size_t>()].z() > 3];
+    pair += (pair.empty() ? "1:" : ",1:") + std::to_string(loop["number"].get<int>());
+  }
+  expect_refused(blend(path("pipe.ply") + "--loops " + pairs[false] + " --loops " + pairs[false]), 2, "two patches");
+  const Outcome run =
+      blend(path("pipe.ply") + "--loops " + pairs[false] + " --loops " + pairs[true] + " --report " + path("r.json"));
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(json::parse(std::ifstream(work / "r.json"))["patches"].size(), 2u);
+  EXPECT_TRUE(watertightness(read_mesh(work / "out.ply").soup).printable());
 }
 
 /// Of sheets side by side only a strip between them makes sense.

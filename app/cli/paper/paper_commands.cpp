@@ -16,8 +16,11 @@ void add_blend(CLI::App& app, BlendCommand& command) {
   blend->add_option("IN", command.inputs, "Meshes to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   blend->add_option("-o,--output", command.output, "Mesh to write; its extension chooses the format")->required();
   blend
-      ->add_option("--loops", command.loops,
-                   "Loops as FILE:LOOP; files count from 1 in the order given, loops as 'info' prints them")
+      ->add_option(
+          "--loops", command.loops,
+          "Loops as FILE:LOOP; files count from 1 in the order given, loops as 'info' prints them. Once for each "
+          "patch: the next one joins others")
+      ->allow_extra_args(false)
       ->type_name("1:2,2:1,...");
   add_flow_options(*blend, command.words, DensityOption::offer);
   blend->footer(
@@ -26,6 +29,7 @@ void add_blend(CLI::App& app, BlendCommand& command) {
                   "Examples:\n"
                   "  loopmend blend left.ply right.ply -o joined.ply\n"
                   "  loopmend blend tube.ply -o whole.ply --loops 1:2,1:3\n"
+                  "  loopmend blend pipe.ply -o whole.ply --loops 1:1,1:3 --loops 1:2,1:4\n"
                   "  loopmend blend a.ply b.ply c.ply -o abc.ply --loops 1:1,2:2,3:1 --report report.json\n") +
       exit_codes_help);
 }

@@ -16,7 +16,8 @@ namespace loopmend {
 struct BlendCommand {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;
-  std::string loops;  ///< "FILE:LOOP,..." by number; empty: those that face each other
+  /// Of each patch "FILE:LOOP,..." by number; empty: one patch between those that face each other.
+  std::vector<std::string> loops;
   FlowWords words;
   std::string command_line;  ///< as typed, for the report
 };
@@ -41,7 +42,7 @@ struct EvolveCommand {
 struct CompareCommand {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;  ///< folder
-  std::string loops;             ///< as in BlendCommand
+  std::string loops;             ///< of one patch, as in BlendCommand
   std::filesystem::path region;  ///< as in EvolveCommand
   std::string where;
   int subdivide = 0;            ///< as in InterpolateCommand; 0: no polyhedron is meant
