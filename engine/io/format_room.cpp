@@ -76,7 +76,7 @@ Message column_said(bool of_faces, const AttributeColumn& column, const std::str
     return std::find(names.begin(), names.end(), column.name()) != names.end();
   };
   if (role_of(column.name()) == AttributeRole::normal) return of_faces ? say("face normals") : say("normals");
-  if (is_one_of({"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"}))
+  if (!is_integer(column.type()) && is_one_of({"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"}))
     return of_faces ? say("texture coordinates of faces") : say("texture coordinates");
   if (of_faces && (role_of(column.name()) == AttributeRole::color || (format == "OFF" && column.name() == "color")))
     return say("face colours");

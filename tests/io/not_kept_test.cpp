@@ -34,6 +34,14 @@ TEST_F(NotKeptTest, ObjNamesAllThatIsNeitherVertexNorFace) {
             "numbers (1), display statements (1)");
 }
 
+TEST_F(NotKeptTest, AnIntegerOfPlyIsNoTextureCoordinate) {
+  EXPECT_EQ(found("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                  "property short s\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                  "0 0 0 7\n1 0 0 7\n0 1 0 7\n3 0 1 2\n",
+                  "labels.ply"),
+            "vertex properties \"s\" (3) | ");
+}
+
 TEST_F(NotKeptTest, PlyNamesPropertiesAndElements) {
   const std::string text =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
