@@ -143,12 +143,11 @@ class SeamTracer {
     layout_.sides_of_seam.emplace_back(*chain.sides.begin(), *chain.sides.rbegin());
   }
 
-  /// The angle between the normals of both surfaces there; a quadric's has no sign.
+  /// The angle between the normals of both surfaces there; the acute one where an outside is not known.
   static double bend_deg(const std::vector<const SideSurface*>& both, const Vec3& p) {
     const Vec3 first = both.front()->normal_at(both.front()->foot(p)),
                second = both.back()->normal_at(both.back()->foot(p));
-    const bool is_signed = std::ranges::none_of(
-        both, [](const SideSurface* surface) { return surface->kind() == SideSurface::Kind::quadric; });
+    const bool is_signed = both.front()->has_outside() && both.back()->has_outside();
     const double cosine = is_signed ? first.dot(second) : std::abs(first.dot(second));
     return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
   }

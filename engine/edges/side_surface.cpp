@@ -16,6 +16,7 @@ constexpr double penalty_quadratic = 0.35, penalty_third = 1;
 constexpr double rank_threshold = 1e-8;
 constexpr double weight_between = 1e-3;  ///< of middles of edges, beside 1 of the points
 constexpr double left_open = 1e-6;       ///< rms distance in units: two quadrics are both as near as that
+constexpr double clearly_along = 0.5;    ///< mean cosine between the normals of a quadric and the side's own
 constexpr double singular = 0.1;  ///< of the mean ‖∇q‖: two planes are a quadric, too, with ∇q = 0 where they meet
 constexpr int fewest_for_quadric = 22, fewest_for_exact_quadric = 12;
 constexpr int foot_rounds = 12;
@@ -160,9 +161,11 @@ void SideSurface::try_quadric(const Points& local, const Points& between, double
   Coefficients c;
   c.tail<9>() = solver.eigenvectors().col(0);
   c[0] = -mean.dot(c.tail<9>());
-  double sum = 0, least_slope = std::numeric_limits<double>::infinity(), mean_slope = 0;
+  double sum = 0, least_slope = std::numeric_limits<double>::infinity(), mean_slope = 0, along_normal = 0;
   for (const Vec3& q : local) {
-    const double slope = (quadric_gradients(q).transpose() * c).norm();
+    const Vec3 gradient = quadric_gradients(q).transpose() * c;
+    const double slope = gradient.norm();
+    along_normal += gradient.z() / slope / n;
     least_slope = std::min(least_slope, slope);
     mean_slope += slope / n;
     sum += std::pow(c.dot(quadric_monomials(q)) / slope, 2);
@@ -174,7 +177,8 @@ void SideSurface::try_quadric(const Points& local, const Points& between, double
   if (!(score < best)) return;
   best = score;
   kind_ = Kind::quadric;
-  c_ = c;
+  c_ = along_normal < 0 ? Coefficients(-c) : c;
+  has_outside_ = std::abs(along_normal) > clearly_along;
   rms_ = rms * unit_;
 }
 

@@ -34,8 +34,10 @@ class SideSurface {
   bool changes_sides(const Vec3& p, const Vec3& q) const;
   /// In the side's own axes: x and y along its plane, z across.
   Vec3 in_plane(const Vec3& p) const { return local(p); }
-  /// Unit normal at a point of the surface.
+  /// Unit normal at a point of the surface, on the outside where that is known.
   Vec3 normal_at(const Vec3& on_surface) const;
+  /// Not of a quadric whose points go round it.
+  bool has_outside() const { return has_outside_; }
 
  private:
   using Coefficients = Eigen::Matrix<double, 10, 1>;
@@ -50,6 +52,7 @@ class SideSurface {
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  ///< columns; the third is the normal
   double unit_ = 1, rms_ = 0;
   Kind kind_ = Kind::plane;
+  bool has_outside_ = true;
   Coefficients c_ = Coefficients::Zero();
 };
 

@@ -185,6 +185,26 @@ TEST(SharpEdges, SeveralEdgesRunAcrossAHoleWiderThanTheirDistance) {
   }
 }
 
+/// Two paraboloids that meet at the rim by 153°: fits of curved sides know their outside.
+TEST(SharpEdges, TheRimOfALensComesBack) {
+  constexpr double height = 0.12;
+  test::GridSurface lens;
+  for (const double side : {1.0, -1.0})
+    lens.add(72, 24, [&](double x, double r) {
+      const double angle = -side * 2 * std::numbers::pi * x;
+      return Vec3(r * std::cos(angle), r * std::sin(angle), side * height * (1 - r * r));
+    });
+  for (const double radius : {0.2, 0.35}) {
+    const Filled filled = fill(without_ball(lens.soup, {1, 0, 0}, radius));
+    EXPECT_EQ(filled.patch().made_by, "sharp edges") << radius;
+    EXPECT_EQ(filled.holes.front().verdict().grade, Grade::good) << filled.holes.front().verdict().message();
+    EXPECT_LT(filled.farthest(
+                  [](const Vec3& p) { return std::abs(std::abs(p.z()) - height * (1 - p.head<2>().squaredNorm())); }),
+              1e-3)
+        << radius;
+  }
+}
+
 /// An edge of 25° to 40° bends by more than the 150° that count as a fold elsewhere, or by nearly as much.
 TEST(SharpEdges, AKnifesEdgeIsNoFold) {
   for (const double bend : {140.0, 155.0}) {
