@@ -10,15 +10,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <new>
 #include <numeric>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 // LAPACK, of OpenBLAS.
@@ -54,46 +48,6 @@ struct FreeFactor {
   void operator()(cholmod_factor* factor) const { cholmod_free_factor(&factor, common); }
 };
 
-/// CHOLMOD cannot be interrupted, but it ends at the first block that is not positive definite. While it factors, this looks
-/// at the token, and makes the matrix such a one when that is set: CHOLMOD reads the entries of a block, a supernode, when
-/// it comes to it. (It does so for a lower triangle in natural order: else it would have made a copy.)
-class SpoilWhenCancelled {
- public:
-  SpoilWhenCancelled(SparseMatrix& A, const CancelToken& cancel) {
-    if (A.rows() < least_watched) return;
-    try {
-      watch_ = std::jthread([&A, cancel, this] { watch(A, cancel); });
-    } catch (const std::system_error&) {
-      // No further thread is to be had: then this factorization goes on to its end.
-    }
-  }
-  ~SpoilWhenCancelled() {
-    const std::lock_guard lock(mutex_);
-    over_ = true;
-    news_.notify_one();
-  }
-  SpoilWhenCancelled(const SpoilWhenCancelled&) = delete;
-  SpoilWhenCancelled& operator=(const SpoilWhenCancelled&) = delete;
-
- private:
-  static constexpr Eigen::Index least_watched = 5000;  ///< rows: fewer take some hundredths of a second
-  static constexpr std::chrono::milliseconds between_looks{10};
-
-  void watch(SparseMatrix& A, const CancelToken& cancel) {
-    std::unique_lock lock(mutex_);
-    while (!cancel.cancelled())
-      if (news_.wait_for(lock, between_looks, [this] { return over_; })) return;
-    constexpr double spoilt = -1e100;  // a negative diagonal, whatever is added to it
-    double* values = A.valuePtr();
-    for (Eigen::Index k = 0; k < A.nonZeros(); ++k) std::atomic_ref(values[k]).store(spoilt, std::memory_order_relaxed);
-  }
-
-  std::mutex mutex_;
-  std::condition_variable news_;
-  bool over_ = false;
-  std::jthread watch_;  ///< last: ends before what it uses
-};
-
 /// The factors L Lᵀ of A(rows, rows), in the order of the rows. The last of them are the separator, which is factored as if
 /// there were no other half.
 class Half {
@@ -111,15 +65,12 @@ class Half {
     if (!factor_) throw std::bad_alloc();
   }
 
-  /// @returns false if this half is not positive definite, or when cancelled.
-  bool factorize(const SparseMatrix& A, const CancelToken& cancel) {
-    if (cancel.cancelled()) return false;
+  /// @returns false if this half is not positive definite. CHOLMOD cannot be interrupted.
+  bool factorize(const SparseMatrix& A) {
     SparseMatrix part = part_of(A);
     cholmod_sparse values = view(part);
     const NoThreadsWithin alone;
-    const SpoilWhenCancelled watch(part, cancel);
     cholmod_factorize(&values, factor_.get(), common_.get());
-    if (cancel.cancelled()) return false;
     check_memory(common_->status);
     return common_->status == CHOLMOD_OK && factor_->minor == factor_->n;
   }
@@ -283,7 +234,7 @@ class NestedCholesky : public SpdSolver {
     std::array<bool, 2> good{};
     std::array<Eigen::MatrixXd, 2> left;
     for_halves([&](int k) {
-      good[k] = halves_[k].factorize(A, cancel);
+      good[k] = !cancel.cancelled() && halves_[k].factorize(A);
       if (good[k] && !cancel.cancelled()) left[k] = halves_[k].schur_complement();
     });
     if (!good[0] || !good[1] || cancel.cancelled()) return false;

@@ -51,7 +51,7 @@ TEST(SpdSolver, SolvesSeveralRightHandSides) {
   EXPECT_LT((x - exact).norm(), 1e-10 * exact.norm());
 }
 
-/// Large enough that a look at the token falls into CHOLMOD's work, and before, and behind it.
+/// Cancelled before, during and after the work of CHOLMOD, which cannot be interrupted.
 TEST(SpdSolver, AFactorizationThatIsCancelledEndsAndLeavesTheSolverWhole) {
   const Sparse G = grid_matrix(150, 0.3, 0), A = G * G * G;
   const Eigen::VectorXd exact = Eigen::VectorXd::LinSpaced(A.rows(), -1, 2);
