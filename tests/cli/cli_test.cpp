@@ -6,7 +6,6 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/join_parts.h"
 #include "samples/analytic_surfaces.h"
-#include "support/processor_time.h"
 #include "support/sharp_surfaces.h"
 
 #include <gmock/gmock.h>
@@ -19,6 +18,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -441,6 +441,14 @@ TEST_F(Cli, WithoutTheModuleForPicturesAllElseIsDone) {
 }
 #endif
 
+/// Seconds of the processor that a running child has used; -1 where it is gone.
+double processor_seconds(pid_t child) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &time) != 0) return -1;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 TEST_F(Cli, InterruptEndsSoonWithNothingHalfWritten) {
   const std::filesystem::path big = work / "big.ply";
   write_mesh(big, cut(make_icosphere(7), [](const Vec3& p) { return p.z() > 0; }));
@@ -450,9 +458,9 @@ TEST_F(Cli, InterruptEndsSoonWithNothingHalfWritten) {
     execl(LOOPMEND_PROGRAM, "loopmend", "fill", big.c_str(), "-o", out.c_str(), nullptr);
     _exit(99);
   }
-  while (test::processor_seconds(child) >= 0 && test::processor_seconds(child) < 0.7)
+  while (processor_seconds(child) >= 0 && processor_seconds(child) < 0.7)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  const double worked = test::processor_seconds(child);
+  const double worked = processor_seconds(child);
   kill(child, SIGINT);
   int status = 0;
   rusage use{};

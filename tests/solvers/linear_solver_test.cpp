@@ -269,6 +269,7 @@ int threads_of_this_process() {
 }
 
 TEST(SpdSolver, StartsNoThreadsThatTheCallerDoesNotHave) {
+  if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "threads are counted in /proc";
   const Sparse L = grid_matrix(60, 0.1, 0), A = Sparse(L * L) * L;
   int before = 0, after = 0;
   // In a thread of its own, which has no team from earlier on.
@@ -279,7 +280,7 @@ TEST(SpdSolver, StartsNoThreadsThatTheCallerDoesNotHave) {
       after = threads_of_this_process();
     });
   }).join();
-  EXPECT_EQ(before, after);
+  EXPECT_LE(after, before);
 }
 
 TEST(ConjugateGradients, SolveWhatIsTooLargeToFactor) {
