@@ -171,7 +171,7 @@ TEST_F(ReadGltf, MaterialsAndPicturesAreKept) {
 TEST_F(ReadGltf, DamagedContainers) {
   const std::string glb = gltf_square().glb();
   expect_refused("glTF", "a.glb", {"ends too early"});
-  for (const std::size_t size : {19UL, 100UL, glb.size() - 1})
+  for (const std::size_t size : {std::size_t{19}, std::size_t{100}, glb.size() - 1})
     expect_refused(glb.substr(0, size), "a.glb", {"ends too early"});
   std::string bytes = glb;
   bytes[4] = 1;
