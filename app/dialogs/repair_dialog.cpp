@@ -127,8 +127,7 @@ void RepairDialog::build() {
     row.count->setMinimumWidth(row.count->fontMetrics().horizontalAdvance(labels::count(1'000'000)));
     row.before = make_note((QByteArray("before") + words.name).constData());
     row.before->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row.before->setMinimumWidth(
-        row.before->fontMetrics().horizontalAdvance(tr("was %1").arg(labels::count(100'000))));
+    row.before->setMinimumWidth(row.before->fontMetrics().horizontalAdvance(tr("was %1").arg(labels::count(100000))));
     const QString help =
         tr("Mark in the view the faces that the repair would remove or change, and fly there; once more: to the next "
            "place");

@@ -140,7 +140,8 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
        QT_TR_NOOP("Widen the selected holes by one ring of faces, where they are ragged; once more for another")},
       {"stitchAction", QT_TR_NOOP("Stitc&h cracks"), QT_TR_NOOP("Zip boundaries that nearly coincide")},
       {"turnAroundAction", QT_TR_NOOP("Turn faces ar&ound"),
-       QT_TR_NOOP("Turn all faces of the scans of the selected holes, or of all scans, to look the other way")},
+       QT_TR_NOOP("Turn the faces that look inward, in the scans of the selected holes or in all; where none does, "
+                  "turn all faces")},
       {"repairAction", QT_TR_NOOP("Repai&r\u2026"), QT_TR_NOOP("See the defects of the scan, and repair them")},
       {"stepAction", QT_TR_NOOP("&Step"), QT_TR_NOOP("Take one time step"), "S"},
       {"runAction", QT_TR_NOOP("&Run or pause"), QT_TR_NOOP("Smooth, every step shown for a moment"), "Space"},
