@@ -56,7 +56,7 @@ const Words all_words[] = {
     {Defect::fragments, "Fragments", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny loose components"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
-                       "Pieces of up to ten faces and a twentieth of the extent of the largest piece")},
+                       "Components of up to ten faces and a twentieth of the extent of the largest one")},
 };
 
 std::size_t count_of(Defect defect, const RepairCounts& counts) {

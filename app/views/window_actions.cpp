@@ -93,12 +93,12 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
        nullptr, Spec::toggle},
       {"clip", QT_TR_NOOP("C&lipping plane"),
        QT_TR_NOOP("Cut the surfaces open across the line of sight, to see the inside"), "X", nullptr, Spec::toggle},
-      {"hidePiece", QT_TR_NOOP("&Hide piece"),
-       QT_TR_NOOP("Hide the piece under the mouse, or those of the selected holes; it is filled and exported "
+      {"hidePiece", QT_TR_NOOP("&Hide component"),
+       QT_TR_NOOP("Hide the component under the mouse, or those of the selected holes; it is filled and exported "
                   "as before"),
        "H"},
-      {"isolatePiece", QT_TR_NOOP("&Isolate piece"), QT_TR_NOOP("Hide all other pieces"), "Shift+H"},
-      {"showPieces", QT_TR_NOOP("Sho&w all pieces"), QT_TR_NOOP("Show everything that was hidden"), "Ctrl+H"},
+      {"isolatePiece", QT_TR_NOOP("&Isolate component"), QT_TR_NOOP("Hide all other components"), "Shift+H"},
+      {"showPieces", QT_TR_NOOP("Sho&w all components"), QT_TR_NOOP("Show everything that was hidden"), "Ctrl+H"},
       {"lookFront", QT_TR_NOOP("&Front"), QT_TR_NOOP("See everything from the front"), "Ctrl+1"},
       {"lookBack", QT_TR_NOOP("&Back"), QT_TR_NOOP("See everything from the back"), "Ctrl+2"},
       {"lookLeft", QT_TR_NOOP("&Left"), QT_TR_NOOP("See everything from the left"), "Ctrl+3"},
