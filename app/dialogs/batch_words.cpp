@@ -26,8 +26,8 @@ constexpr std::pair<const char*, const char*> reasons[] = {
     {"boundary_crosses", QT_TRANSLATE_NOOP("loopmend::labels", "its boundary runs through the surface")},
     {"no_memory", QT_TRANSLATE_NOOP("loopmend::labels", "not enough memory")},
     {"patches_cross", QT_TRANSLATE_NOOP("loopmend::labels", "its patch would cut another one")},
-    {"covered_island", QT_TRANSLATE_NOOP("loopmend::labels", "a patch covers this piece")},
-    {"island_not_joined", QT_TRANSLATE_NOOP("loopmend::labels", "the piece of surface within it was not joined")},
+    {"covered_island", QT_TRANSLATE_NOOP("loopmend::labels", "a patch covers this island")},
+    {"island_not_joined", QT_TRANSLATE_NOOP("loopmend::labels", "the island within it was not joined")},
     {"not_finished", QT_TRANSLATE_NOOP("loopmend::labels", "not finished")},
     {"out_of_time", QT_TRANSLATE_NOOP("loopmend::labels", "not finished")}};
 

@@ -62,7 +62,7 @@ ExportDialog::ExportDialog(PrintCheck& check, const QString& proposal, const QSt
 }
 
 void ExportDialog::tell_of_hidden(int count) {
-  hidden_->setText(tr("%Ln hidden piece(s) or patch(es) are written as well.", nullptr, count));
+  hidden_->setText(tr("%Ln hidden component(s) or patch(es) are written as well.", nullptr, count));
   hidden_->setVisible(count > 0);
 }
 

@@ -26,7 +26,7 @@ constexpr Page pages[] = {
     {"patch", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Patch and flow")},
     {"display", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Looking at curvature")},
     {"inspect", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Inspecting the seam")},
-    {"tools", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Compare, region, points, blend, bridge, distance")},
+    {"tools", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Tools")},
     {"files", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Files, sessions, recovery")},
     {"problems", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "When something goes wrong")}};
 

@@ -56,7 +56,7 @@ const Words all_words[] = {
     {Defect::fragments, "Fragments", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny loose components"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Remove"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
-                       "Pieces of up to ten faces and a twentieth of the extent of the largest piece")},
+                       "Components of up to ten faces and a twentieth of the extent of the largest one")},
 };
 
 std::size_t count_of(Defect defect, const RepairCounts& counts) {
@@ -127,8 +127,7 @@ void RepairDialog::build() {
     row.count->setMinimumWidth(row.count->fontMetrics().horizontalAdvance(labels::count(1'000'000)));
     row.before = make_note((QByteArray("before") + words.name).constData());
     row.before->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row.before->setMinimumWidth(
-        row.before->fontMetrics().horizontalAdvance(tr("was %1").arg(labels::count(100'000))));
+    row.before->setMinimumWidth(row.before->fontMetrics().horizontalAdvance(tr("was %1").arg(labels::count(100000))));
     const QString help =
         tr("Mark in the view the faces that the repair would remove or change, and fly there; once more: to the next "
            "place");

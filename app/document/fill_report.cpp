@@ -23,9 +23,7 @@ namespace {
 
 constexpr int most_named = 200;  ///< of open loops
 
-QString tr(const char* text, int n = -1) {
-  return QCoreApplication::translate("loopmend::FillReport", text, nullptr, n);
-}
+QString tr(const char* text, int n = -1) { return QCoreApplication::translate("loopmend", text, nullptr, n); }
 
 double area_of(const TriangleSoup& soup) {
   double area = 0;

@@ -440,7 +440,7 @@ QString verdict_in_full(const Watertightness& surface) {
 
 QString verdict_help(const Watertightness& surface) {
   QStringList lines = faults_in_words(surface);
-  const char* const pieces = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln piece(s) of surface");
+  const char* const pieces = QT_TRANSLATE_N_NOOP("loopmend::labels", "%Ln component(s)");
   lines << tr(pieces, static_cast<int>(surface.pieces));
   if (surface.encloses()) lines << tr("volume %1, in cubic units of the scan").arg(number(surface.volume));
   if (surface.printable() && surface.touching_edges > 0)

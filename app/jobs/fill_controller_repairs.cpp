@@ -200,7 +200,7 @@ void FillController::apply_repaired(const std::vector<RepairedScan>& all, ScanRe
   if (!then || !changed) return;
   if (to_fill.empty()) {
     Q_EMIT notice(
-        tr("No hole was made that could be filled: what was erased lay at an outer rim, or was a whole piece."));
+        tr("No hole was made that could be filled: what was erased lay at an outer rim, or was a whole component."));
     return;
   }
   start_fill({to_fill, then->choice, {}, then->options, Pace::steady, PatchChange::Joining::previous});

@@ -58,7 +58,7 @@ QString bodies_left(const UnionCounts& united) {
   const auto n = [](std::size_t count) { return static_cast<int>(count); };
   if (united.open_pieces > 0)
     left << FillController::tr(
-        "%Ln open piece(s) crossing, holding or within others were left: fill the holes, then unite.", nullptr,
+        "%Ln open component(s) crossing, holding or within others were left: fill the holes, then unite.", nullptr,
         n(united.open_pieces));
   if (united.crossing > 0)
     left << FillController::tr(

@@ -72,7 +72,7 @@ void FillBox::build() {
                                     tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
   islands_ = make_option<QCheckBox>(
       "islands", tr("Join islands"),
-      tr("Join pieces of surface that lie within a hole to its patch; otherwise the patch covers them"));
+      tr("Join islands, components that lie within a hole, to its patch; otherwise the patch covers them"));
   islands_->setChecked(true);
   trim_ = make_button(
       "trim", tr("Trim"),

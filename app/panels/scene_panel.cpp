@@ -49,7 +49,8 @@ ScenePanel::ScenePanel(const Document& document, SceneVisibility& visibility, QW
       note_(make_note("sceneNote")),
       unit_(new QComboBox) {
   setObjectName(QStringLiteral("scenePanel"));
-  explain(tree_, "sceneTree", tr("Scene"), tr("Scans, their pieces and patches; the check boxes hide and show them"));
+  explain(tree_, "sceneTree", tr("Scene"),
+          tr("Scans, their components and patches; the check boxes hide and show them"));
   tree_->setToolTip({});
   tree_->setItemDelegate(new RowDelegate(tree_));
   tree_->setColumnCount(2);
@@ -144,13 +145,13 @@ void ScenePanel::add_scan(int scan) {
   if (pieces.size() > 1)
     for (std::size_t k = 0; k < own; ++k)
       add_row(top, Row::piece, scan, static_cast<int>(k),
-              tr("Piece %1, %2 across").arg(k + 1).arg(labels::length(document_, pieces[k].diameter)),
+              tr("Component %1, %2 across").arg(k + 1).arg(labels::length(document_, pieces[k].diameter)),
               labels::count(pieces[k].triangles));
   if (own < pieces.size()) {
     std::size_t triangles = 0;
     for (std::size_t k = own; k < pieces.size(); ++k) triangles += pieces[k].triangles;
     add_row(top, Row::small_pieces, scan, static_cast<int>(own),
-            tr("%Ln smaller piece(s)", nullptr, static_cast<int>(pieces.size() - own)), labels::count(triangles));
+            tr("%Ln smaller component(s)", nullptr, static_cast<int>(pieces.size() - own)), labels::count(triangles));
   }
   add_patches(top, scan);
   top->setExpanded(true);

@@ -27,7 +27,7 @@ std::set<PieceId> PieceMenu::meant() {
   if (const auto piece = view_.piece_under_mouse()) return {*piece};
   std::set<PieceId> pieces = of_selected_holes();
   if (pieces.empty())
-    Q_EMIT notice(tr("Move the mouse over the piece, or select one of its holes, and press the key again."));
+    Q_EMIT notice(tr("Move the mouse over the component, or select one of its holes, and press the key again."));
   return pieces;
 }
 
@@ -38,10 +38,10 @@ void PieceMenu::isolate() {
 }
 
 QString PieceMenu::name_of(const std::set<PieceId>& pieces) const {
-  if (pieces.size() > 1) return tr("%Ln piece(s)", nullptr, static_cast<int>(pieces.size()));
+  if (pieces.size() > 1) return tr("%Ln component(s)", nullptr, static_cast<int>(pieces.size()));
   const PieceId& one = *pieces.begin();
   const QString scan = document_.scan(one.scan)->name;
-  return visibility_.piece_count(one.scan) > 1 ? tr("piece %1 of %2").arg(one.piece + 1).arg(scan) : scan;
+  return visibility_.piece_count(one.scan) > 1 ? tr("component %1 of %2").arg(one.piece + 1).arg(scan) : scan;
 }
 
 void PieceMenu::add_entries(QMenu* menu, const std::set<PieceId>& pieces) {
@@ -57,9 +57,9 @@ void PieceMenu::add_entries(QMenu* menu, const std::set<PieceId>& pieces) {
   const QString name = name_of(pieces);
   entry("hideThis", tr("&Hide %1").arg(name), tr("It is filled and exported as before"),
         [this, pieces] { visibility_.set_pieces(pieces, SceneVisibility::Visible::hidden); });
-  entry("isolateThis", tr("&Isolate %1").arg(name), tr("Hide all other pieces"),
+  entry("isolateThis", tr("&Isolate %1").arg(name), tr("Hide all other components"),
         [this, pieces] { visibility_.isolate(pieces); });
-  entry("showAll", tr("Sho&w all pieces"), tr("Show everything that was hidden"), [this] {
+  entry("showAll", tr("Sho&w all components"), tr("Show everything that was hidden"), [this] {
     visibility_.show_all();
   })->setEnabled(visibility_.hidden_count() > 0);
 }

@@ -93,12 +93,12 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
        nullptr, Spec::toggle},
       {"clip", QT_TR_NOOP("C&lipping plane"),
        QT_TR_NOOP("Cut the surfaces open across the line of sight, to see the inside"), "X", nullptr, Spec::toggle},
-      {"hidePiece", QT_TR_NOOP("&Hide piece"),
-       QT_TR_NOOP("Hide the piece under the mouse, or those of the selected holes; it is filled and exported "
+      {"hidePiece", QT_TR_NOOP("&Hide component"),
+       QT_TR_NOOP("Hide the component under the mouse, or those of the selected holes; it is filled and exported "
                   "as before"),
        "H"},
-      {"isolatePiece", QT_TR_NOOP("&Isolate piece"), QT_TR_NOOP("Hide all other pieces"), "Shift+H"},
-      {"showPieces", QT_TR_NOOP("Sho&w all pieces"), QT_TR_NOOP("Show everything that was hidden"), "Ctrl+H"},
+      {"isolatePiece", QT_TR_NOOP("&Isolate component"), QT_TR_NOOP("Hide all other components"), "Shift+H"},
+      {"showPieces", QT_TR_NOOP("Sho&w all components"), QT_TR_NOOP("Show everything that was hidden"), "Ctrl+H"},
       {"lookFront", QT_TR_NOOP("&Front"), QT_TR_NOOP("See everything from the front"), "Ctrl+1"},
       {"lookBack", QT_TR_NOOP("&Back"), QT_TR_NOOP("See everything from the back"), "Ctrl+2"},
       {"lookLeft", QT_TR_NOOP("&Left"), QT_TR_NOOP("See everything from the left"), "Ctrl+3"},
@@ -140,7 +140,8 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
        QT_TR_NOOP("Widen the selected holes by one ring of faces, where they are ragged; once more for another")},
       {"stitchAction", QT_TR_NOOP("Stitc&h cracks"), QT_TR_NOOP("Zip boundaries that nearly coincide")},
       {"turnAroundAction", QT_TR_NOOP("Turn faces ar&ound"),
-       QT_TR_NOOP("Turn all faces of the scans of the selected holes, or of all scans, to look the other way")},
+       QT_TR_NOOP("Turn the faces that look inward, in the scans of the selected holes or in all; where none does, "
+                  "turn all faces")},
       {"repairAction", QT_TR_NOOP("Repai&r\u2026"), QT_TR_NOOP("See the defects of the scan, and repair them")},
       {"stepAction", QT_TR_NOOP("&Step"), QT_TR_NOOP("Take one time step"), "S"},
       {"runAction", QT_TR_NOOP("&Run or pause"), QT_TR_NOOP("Smooth, every step shown for a moment"), "Space"},

@@ -175,10 +175,10 @@ void SceneTest::the_list_has_scans_pieces_and_patches() {
   part<QDockWidget>(window, "sceneDock")->raise();
   QVERIFY(wait_until([&] { return row(window, QStringLiteral("2 patches")) != nullptr; }));
   QTreeWidgetItem* scan = row(window, QStringLiteral("balls.ply"));
-  QVERIFY(scan && row(window, QStringLiteral("Piece 2,")));
+  QVERIFY(scan && row(window, QStringLiteral("Component 2,")));
   QCOMPARE(scan->childCount(), 3);
   // By falling size.
-  QVERIFY(scan->child(0)->text(0).startsWith(QStringLiteral("Piece 1,")));
+  QVERIFY(scan->child(0)->text(0).startsWith(QStringLiteral("Component 1,")));
   QVERIFY(scan->child(0)->text(1).remove(QLatin1Char(',')).toInt() >
           scan->child(1)->text(1).remove(QLatin1Char(',')).toInt());
 
