@@ -71,7 +71,7 @@ void print_not_kept(const OpenedModel& opened) {
 
 /// What stands against a fill before any hole is looked at, and what cures it.
 struct Findings {
-  NearBoundaries near;
+  NearBoundaries boundaries;
   InvertedShells inverted;
   NoDataVertices no_data;
   OverlappingOutlines overlapping;
@@ -85,14 +85,15 @@ Findings findings_of(const SurfaceModel& model, const std::vector<BoundaryLoop>&
 void print_findings(const Findings& found) {
   print_inverted(stdout, found.inverted, "  ");
   print_tiles(stdout, {0, found.overlapping}, "  ");
-  std::string near;
-  if (found.near.vertices > 0)
-    near = counted(found.near.vertices, "boundary vertex lies", "boundary vertices lie") +
-           " within a tenth of the edges there of another";
-  if (found.near.faces > 0)
-    near += (near.empty() ? "" : ", ") + counted(found.near.faces, "face has a boundary vertex of others on an edge",
-                                                 "faces have boundary vertices of others on an edge");
-  if (!near.empty()) std::printf("  %s: fill --stitch joins them\n", near.c_str());
+  std::string beside;
+  if (found.boundaries.vertices > 0)
+    beside = counted(found.boundaries.vertices, "boundary vertex lies", "boundary vertices lie") +
+             " within a tenth of the edges there of another";
+  if (found.boundaries.faces > 0)
+    beside += (beside.empty() ? "" : ", ") + counted(found.boundaries.faces,
+                                                     "face has a boundary vertex of others on an edge",
+                                                     "faces have boundary vertices of others on an edge");
+  if (!beside.empty()) std::printf("  %s: fill --stitch joins them\n", beside.c_str());
 }
 
 /// Of the file as it is: faces that disagree count.
@@ -149,7 +150,7 @@ int run_info(const InfoCommand& command) {
     nlohmann::ordered_json json;
     json["schema_version"] = report_schema_version;
     json["input"] = input_json(command.input, opened.import, model.repairs);
-    json["near_boundaries"] = {{"vertices", found.near.vertices}, {"faces", found.near.faces}};
+    json["near_boundaries"] = {{"vertices", found.boundaries.vertices}, {"faces", found.boundaries.faces}};
     json["no_data"] = {{"vertices", found.no_data.vertices.size()}, {"value", found.no_data.value}};
     json["inside_out"] = {{"closed", found.inverted.closed}, {"open", found.inverted.open}};
     json["loops"] = nlohmann::ordered_json::array();

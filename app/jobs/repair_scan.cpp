@@ -64,7 +64,7 @@ std::optional<RepairedScan> trimmed_where_it_crosses(const ScanRepairTask& task)
 }
 
 /// Faces along the boundary edges that would close, and those that would have other corners.
-std::vector<int> faces_at_stitches(const SurfaceModel& model, const NearBoundaries& near,
+std::vector<int> faces_at_stitches(const SurfaceModel& model, const NearBoundaries& found,
                                    const StitchedSurface& stitched) {
   const bool all_in_place = stitched.removed_faces == 0;
   std::vector<int> faces = all_in_place ? std::vector<int>() : changed_faces(model.soup, stitched.soup);
@@ -72,7 +72,7 @@ std::vector<int> faces_at_stitches(const SurfaceModel& model, const NearBoundari
     const Triangle& t = model.soup.triangles[f];
     bool changes = false;
     for (std::size_t k = 0; k < 3; ++k)
-      changes = changes || near.closing.contains({t[k], t[(k + 1) % 3]}) ||
+      changes = changes || found.closing.contains({t[k], t[(k + 1) % 3]}) ||
                 (all_in_place && model.soup.points[t[k]] != stitched.soup.points[stitched.soup.triangles[f][k]]);
     if (changes) faces.push_back(static_cast<int>(f));
   }
@@ -112,13 +112,13 @@ std::optional<RepairedScan> stitched(const ScanRepairTask& task) {
           .arg(result.joined_vertices)
           .arg(result.split_faces);
   RepairedScan repaired{task.scan, nullptr, FillController::tr("Stitch %1").arg(old.name), words};
-  const NearBoundaries near = near_boundaries(*old.model);
-  repaired.changed_faces = faces_at_stitches(*old.model, near, result);
+  const NearBoundaries found = near_boundaries(*old.model);
+  repaired.changed_faces = faces_at_stitches(*old.model, found, result);
   repaired.proposal = FillController::tr(
                           "%1: %2 vertices would be joined to others and %3 faces split; %4 boundary edges "
                           "would close.")
                           .arg(old.name, labels::count(result.joined_vertices), labels::count(result.split_faces),
-                               labels::count(near.closing.size()));
+                               labels::count(found.closing.size()));
   repaired.made = made_scan(std::move(result.soup), old.name, old.origin);
   return repaired;
 }

@@ -11,7 +11,7 @@ import re
 import sys
 
 SHORTENED = ("Common/Color", "Common/ComputationalGeometry", "Filters/Core", "Filters/General", "Filters/Geometry", "Filters/Sources",
-             "GUISupport/Qt", "IO/Image", "Imaging/Core", "Rendering/Core", "Rendering/OpenGL2")
+             "GUISupport/Qt", "IO/Image", "Imaging/Color", "Imaging/Core", "Rendering/Core", "Rendering/OpenGL2")
 WHOLE = ("Interaction/Style", "Rendering/FreeType", "Rendering/UI")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)', re.MULTILINE)
 CLASS = re.compile(r"^\s*([A-Za-z]\w*)(\)?)\s*(?:#.*)?$")

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every source file states its licence within its first three lines, and cites a page of docs/dev or docs/math by a heading that is
-# there: docs/dev/PAGE.md, "Heading", without the number of the section; docs/math/PAGE.md alone means the whole page. Neither sources nor documents name notes that are not in the repository. Names each
-# file or line that breaks a rule.
+# there: docs/dev/PAGE.md, "Heading", without the number of the section; docs/math/PAGE.md alone means the whole page. Neither sources nor
+# documents name notes that are not in the repository. The programs have no name that windows.h takes away. Names each file or line that
+# breaks a rule.
 # Usage: check_sources.sh ROOT
 # Exit code: 0 all well, 1 rules broken, 2 nothing to check there.
 set -euo pipefail
@@ -38,6 +39,13 @@ exec awk '
       quoted = match(rest, /^, "[^"]+"/) ? substr(rest, 4, RLENGTH - 4) : ""
       if (!((cited, quoted) in heading)) broken("cites " cited ", which has no heading \"" quoted "\"")
     }
+  }
+
+  FILENAME ~ /^app[/].*[.](h|cpp)$/ && /near|far/ {
+    code = $0
+    gsub(/"[^"]*"/, "", code)
+    sub(/[/][/].*/, "", code)
+    if (code ~ /(^|[^A-Za-z_0-9])(near|far) *([^A-Za-z_0-9 ]|$)/) broken("has a name, near or far, that windows.h takes away")
   }
 
   function broken(rule) {

@@ -33,8 +33,11 @@ printf '# Page\n## Size field\n' >"$tree/$page.md"
   printf '// NUMERIC%s §4\n' S
   printf '// see GUI%s\n' .md
 } >"$tree/engine/citing.cpp"
+# Names: line 2 is allowed, 3 and 4 are broken.
+mkdir "$tree/app"
+printf '// %s\nint nearest = 0;  // near "far"\nint near = 0;\nx.far += 1;\n' "$licence" >"$tree/app/names.cpp"
 printf 'As PEER%s says.\n%s\n' S "$page.md" >"$tree/engine/README.md"
-expected=$'engine/README.md:1\nengine/absent.h\nengine/citing.cpp:4\nengine/citing.cpp:5\nengine/citing.cpp:6\nengine/citing.cpp:7
+expected=$'app/names.cpp:3\napp/names.cpp:4\nengine/README.md:1\nengine/absent.h\nengine/citing.cpp:4\nengine/citing.cpp:5\nengine/citing.cpp:6\nengine/citing.cpp:7
 engine/empty.cpp\nengine/late.cpp\ntests/CMakeLists.txt\ntests/other.py'
 
 status=0
