@@ -3,8 +3,6 @@
 
 #include "mesh/directed_edges.h"
 
-#include <Eigen/Geometry>
-
 #define CGAL_NO_DEPRECATION_WARNINGS 1
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -32,9 +30,6 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
-
-/// Distance in the extent of the new points: single precision is coarser far from the origin.
-constexpr double farthest_joined = 1e-5;
 
 /// A mesh whose faces know the soup triangles that they are parts of, and whose vertices know their soup points; −1: new.
 struct Body {
@@ -93,35 +88,6 @@ class Origins : public PMP::Corefinement::Default_visitor<Mesh> {
   const CancelToken* cancel_;
   int divided_ = -1;
 };
-
-/// New points that are one in a file of single precision are one, and the faces between them go: two for each, else all stay apart.
-ExactUnion with_joined_points(ExactUnion apart) {
-  ExactUnion merged{apart.bodies, {}, {}};
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : apart.points) box.extend(p);
-  const double near = farthest_joined * box.diagonal().norm();
-  std::vector<int> of_place;  // of each new point the one that stands for its place
-  std::map<std::array<float, 3>, int> places;
-  for (const Vec3& p : apart.points) {
-    const auto next = static_cast<int>(merged.points.size());
-    const Eigen::Vector3f place = p.cast<float>();
-    const auto [entry, is_new] = places.try_emplace({place.x(), place.y(), place.z()}, next);
-    const bool is_joined = !is_new && (merged.points[entry->second] - p).norm() <= near;
-    of_place.push_back(is_joined ? entry->second : next);
-    if (!is_joined) merged.points.push_back(p);
-  }
-  Triangles triangles;
-  for (FaceOfUnion face : apart.faces) {
-    for (int& v : face.corners) v = v < 0 ? -1 - of_place[static_cast<std::size_t>(-1 - v)] : v;
-    const auto& [a, b, c] = face.corners;
-    if (a == b || b == c || c == a) continue;
-    merged.faces.push_back(face);
-    triangles.push_back(face.corners);
-  }
-  const bool is_closed = apart.faces.size() - merged.faces.size() == 2 * (apart.points.size() - merged.points.size()) &&
-                         !DirectedEdges(triangles, static_cast<int>(triangles.size())).any_twice();
-  return is_closed ? merged : apart;
-}
 
 class Uniting {
  public:
@@ -257,26 +223,47 @@ class Uniting {
     return result;
   }
 
+  /// New points that are one in a file of single precision are one, and the faces between them go: two for each, else all stay apart.
   ExactUnion result_of(const Body& body, const std::vector<int>& members) const {
-    ExactUnion result{members, {}, {}};
+    ExactUnion apart{members, {}, {}}, merged{members, {}, {}};
     std::map<int, std::vector<Face>> by_face;
     for (const Face f : body.mesh.faces()) by_face[body.face[f]].push_back(f);
     std::map<Vertex, int> number;
     const auto corner = [&](Vertex v) {
       if (body.point[v] >= 0) return body.point[v];
-      const auto [entry, is_new] = number.try_emplace(v, -1 - static_cast<int>(result.points.size()));
+      const auto [entry, is_new] = number.try_emplace(v, -1 - static_cast<int>(apart.points.size()));
       if (is_new) {
         const auto& exact = CGAL::exact(body.mesh.point(v));
-        result.points.emplace_back(CGAL::to_double(exact.x()), CGAL::to_double(exact.y()), CGAL::to_double(exact.z()));
+        apart.points.emplace_back(CGAL::to_double(exact.x()), CGAL::to_double(exact.y()), CGAL::to_double(exact.z()));
       }
       return entry->second;
     };
     for (const auto& [face, parts] : by_face)
       for (const std::array<Vertex, 3>& part : in_order(body, parts)) {
-        FaceOfUnion& made = result.faces.emplace_back(FaceOfUnion{face, {}});
+        FaceOfUnion& made = apart.faces.emplace_back(FaceOfUnion{face, {}});
         std::transform(part.begin(), part.end(), made.corners.begin(), corner);
       }
-    return with_joined_points(std::move(result));
+    std::vector<int> of_place;  // of each new point the corner that stands for its place
+    std::map<std::array<float, 3>, int> places;
+    for (const Vec3& p : apart.points) {
+      const Eigen::Vector3f place = p.cast<float>();
+      const auto [entry, is_new] =
+          places.try_emplace({place.x(), place.y(), place.z()}, -1 - static_cast<int>(merged.points.size()));
+      if (is_new) merged.points.push_back(p);
+      of_place.push_back(entry->second);
+    }
+    Triangles triangles;
+    for (FaceOfUnion face : apart.faces) {
+      for (int& v : face.corners) v = v < 0 ? of_place[static_cast<std::size_t>(-1 - v)] : v;
+      const auto& [a, b, c] = face.corners;
+      if (a == b || b == c || c == a) continue;
+      merged.faces.push_back(face);
+      triangles.push_back(face.corners);
+    }
+    const bool is_closed =
+        apart.faces.size() - merged.faces.size() == 2 * (apart.points.size() - merged.points.size()) &&
+        !DirectedEdges(triangles, static_cast<int>(triangles.size())).any_twice();
+    return is_closed ? merged : apart;
   }
 
   const SurfaceModel& model_;
