@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/exact_union.h"
 
-#include "mesh/directed_edges.h"
-
 #define CGAL_NO_DEPRECATION_WARNINGS 1
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -223,47 +221,26 @@ class Uniting {
     return result;
   }
 
-  /// New points that are one in a file of single precision are one, and the faces between them go: two for each, else all stay apart.
   ExactUnion result_of(const Body& body, const std::vector<int>& members) const {
-    ExactUnion apart{members, {}, {}}, merged{members, {}, {}};
+    ExactUnion result{members, {}, {}};
     std::map<int, std::vector<Face>> by_face;
     for (const Face f : body.mesh.faces()) by_face[body.face[f]].push_back(f);
     std::map<Vertex, int> number;
     const auto corner = [&](Vertex v) {
       if (body.point[v] >= 0) return body.point[v];
-      const auto [entry, is_new] = number.try_emplace(v, -1 - static_cast<int>(apart.points.size()));
+      const auto [entry, is_new] = number.try_emplace(v, -1 - static_cast<int>(result.points.size()));
       if (is_new) {
         const auto& exact = CGAL::exact(body.mesh.point(v));
-        apart.points.emplace_back(CGAL::to_double(exact.x()), CGAL::to_double(exact.y()), CGAL::to_double(exact.z()));
+        result.points.emplace_back(CGAL::to_double(exact.x()), CGAL::to_double(exact.y()), CGAL::to_double(exact.z()));
       }
       return entry->second;
     };
     for (const auto& [face, parts] : by_face)
       for (const std::array<Vertex, 3>& part : in_order(body, parts)) {
-        FaceOfUnion& made = apart.faces.emplace_back(FaceOfUnion{face, {}});
+        FaceOfUnion& made = result.faces.emplace_back(FaceOfUnion{face, {}});
         std::transform(part.begin(), part.end(), made.corners.begin(), corner);
       }
-    std::vector<int> of_place;  // of each new point the corner that stands for its place
-    std::map<std::array<float, 3>, int> places;
-    for (const Vec3& p : apart.points) {
-      const Eigen::Vector3f place = p.cast<float>();
-      const auto [entry, is_new] =
-          places.try_emplace({place.x(), place.y(), place.z()}, -1 - static_cast<int>(merged.points.size()));
-      if (is_new) merged.points.push_back(p);
-      of_place.push_back(entry->second);
-    }
-    Triangles triangles;
-    for (FaceOfUnion face : apart.faces) {
-      for (int& v : face.corners) v = v < 0 ? of_place[static_cast<std::size_t>(-1 - v)] : v;
-      const auto& [a, b, c] = face.corners;
-      if (a == b || b == c || c == a) continue;
-      merged.faces.push_back(face);
-      triangles.push_back(face.corners);
-    }
-    const bool is_closed =
-        apart.faces.size() - merged.faces.size() == 2 * (apart.points.size() - merged.points.size()) &&
-        !DirectedEdges(triangles, static_cast<int>(triangles.size())).any_twice();
-    return is_closed ? merged : apart;
+    return result;
   }
 
   const SurfaceModel& model_;

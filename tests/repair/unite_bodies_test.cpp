@@ -7,8 +7,8 @@
 #include "mesh/scan_attributes.h"
 #include "mesh/self_intersections.h"
 #include "mesh/surface_model.h"
-#include "repair/repair_surface.h"
 #include "repair/watertight.h"
+#include "repair/repair_surface.h"
 #include "samples/analytic_surfaces.h"
 #include "support/box.h"
 #include "support/sharp_surfaces.h"
@@ -87,17 +87,6 @@ TEST(UniteBodies, TwoCubesThatOverlapInACorner) {
     next = std::find(next, soup.triangles.end(), united.soup.triangles[f]);
     ASSERT_NE(next, soup.triangles.end()) << f;
   }
-}
-
-/// Edges that pierce a face beside its diagonal: two new points that are one in single precision.
-TEST(UniteBodies, NoFaceHasLostItsAreaInSinglePrecision) {
-  const TriangleSoup soup = joined({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5 + 1e-9, 0.5 - 1e-9}, {1.5, 1.5, 1.5})});
-  const UnitedSurface united = unite_bodies(soup);
-  EXPECT_EQ(united.counts.made, 1U);
-  expect_sound(united.soup);
-  for (const Triangle& t : united.soup.triangles)
-    for (int k = 0; k < 3; ++k)
-      EXPECT_NE(united.soup.points[t[k]].cast<float>(), united.soup.points[t[(k + 1) % 3]].cast<float>());
 }
 
 TEST(UniteBodies, ThreeBallsInARow) {
