@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <ranges>
 
 namespace loopmend {
@@ -14,12 +15,16 @@ namespace {
 /// What is directly within a shell once those that are inside out are turned.
 enum class Within { solid, cavity };
 
-/// The shell that another one is directly in; -1: it is in none.
-int shell_around(const std::vector<Shell>& shells, int s) {
-  const std::vector<int>& around = shells[s].around;
-  const auto innermost = std::max_element(
-      around.begin(), around.end(), [&](int a, int b) { return shells[a].around.size() < shells[b].around.size(); });
-  return innermost == around.end() ? -1 : *innermost;
+/// The shell that another one is directly in; -1: it is in none; nothing where it is in several that cross.
+std::optional<int> shell_around(const std::vector<Shell>& shells, std::size_t s) {
+  int innermost = -1, equals = 0;
+  for (int a : shells[s].around) {
+    const std::size_t depth = shells[a].around.size(), best = innermost < 0 ? 0 : shells[innermost].around.size();
+    if (innermost >= 0 && depth < best) continue;
+    equals = innermost >= 0 && depth == best ? equals + 1 : 1;
+    innermost = a;
+  }
+  return equals > 1 ? std::nullopt : std::optional(innermost);
 }
 
 /// For each shell whether it is inside out.
@@ -30,9 +35,12 @@ std::vector<char> inverted(const std::vector<Shell>& shells) {
   std::vector<char> result(shells.size(), 0);
   std::vector<Within> within(shells.size());
   for (int s : outer_first) {
-    const int outer = shell_around(shells, s);
+    const std::optional<int> around = shell_around(shells, s);
     const bool looks_inward = shells[s].volume < 0;
-    if (outer < 0 || within[outer] == Within::cavity) {
+    const int outer = around.value_or(-1);
+    if (!around) {
+      within[s] = looks_inward ? Within::cavity : Within::solid;
+    } else if (outer < 0 || within[outer] == Within::cavity) {
       result[s] = looks_inward;
       within[s] = Within::solid;
     } else {  // in the material of another body: a cavity in it, or where that body is as it should be, a part of it
@@ -75,7 +83,7 @@ struct KnownShells {
       if (may_be_a_cavity || (!all[s].is_nearly_closed() && may_be_an_inner_wall(all, all[s]))) inside_out[s] = 0;
     }
     for (std::size_t s = 0; s < all.size(); ++s)
-      if (all[s].volume > 0 && inside_out[s]) inside_out[s] = inside_out[shell_around(all, static_cast<int>(s))];
+      if (all[s].volume > 0 && inside_out[s]) inside_out[s] = inside_out[shell_around(all, s).value()];
   }
 };
 

@@ -20,7 +20,7 @@ struct InvertedShells {
 
 /// A shell in no other one, or in a cavity, is a body: it is inside out where its volume is negative. A shell in the material of a body
 /// that is inside out is a cavity: it is inside out, too, where its volume is positive. One in the material of another body is a cavity
-/// of it, or with a positive volume a part of it, and stays. What lies in a shell that is open and inside out, or in the box of one that
+/// of it, or with a positive volume a part of it, and stays. What lies in several shells that cross, in one that is open and inside out, or in the box of one that
 /// may be either, is left as it is. Left out are shells with edges of more than two faces, one-sided ones, and those with vertices at a
 /// mark for missing data.
 /// @param loops  all of the model, which may be one that holds only what lies around them

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/watertight.h"
 
+#include "mesh/orient_soup.h"
 #include "mesh/self_intersections.h"
 #include "repair/inverted_shells.h"
 
@@ -164,6 +165,18 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+/// Bodies that touch at points or edges are parted before.
+std::size_t count_inverted_shells(const Points& points, const Triangles& triangles) {
+  TriangleSoup apart{points, triangles};
+  std::vector<int> origin(points.size());
+  std::iota(origin.begin(), origin.end(), 0);
+  separate_at_edges(points, apart.triangles, origin);
+  for (std::size_t v = points.size(); v < origin.size(); ++v) apart.points.push_back(points[origin[v]]);
+  if (count_pieces(apart.triangles, apart.points.size()) < 2) return 0;
+  const SurfaceModel model = make_surface_model(apart);
+  return find_inverted_shells(model, find_boundary_loops(model)).closed;
+}
+
 }  // namespace
 
 Watertightness watertightness(const TriangleSoup& soup, const CancelToken& cancel) {
@@ -175,9 +188,10 @@ Watertightness watertightness(const TriangleSoup& soup, const CancelToken& cance
   result.pieces = count_pieces(triangles, soup.points.size());
   result.volume = enclosed_volume(soup.points, triangles);
   result.intersections = count_self_intersections(soup.points, triangles, most_intersections, cancel);
-  if (result.pieces > 1 && result.encloses()) {
-    const SurfaceModel model = make_surface_model({soup.points, triangles});
-    result.inverted_shells = find_inverted_shells(model, find_boundary_loops(model)).closed;
+  if (result.encloses()) {
+    Watertightness as_given;  // closed bodies in the same place are still several
+    count_edges(soup.triangles, soup.points.size(), as_given);
+    result.inverted_shells = count_inverted_shells(soup.points, as_given.encloses() ? soup.triangles : triangles);
   }
   return result;
 }

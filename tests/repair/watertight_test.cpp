@@ -52,6 +52,21 @@ TEST(Watertight, OneOfTwoBodiesInsideOutIsNotReadyToPrint) {
   EXPECT_EQ(faults(found), Words{"1 body or cavity that is inside out"});
 }
 
+/// Bodies with a common corner are one piece when points in one place are joined.
+TEST(Watertight, ABodyInsideOutThatTouchesAnotherIsNotReadyToPrint) {
+  const TriangleSoup ball = make_icosphere(2);
+  TriangleSoup small = ball;
+  for (Vec3& p : small.points) p = 0.5 * p + 1.5 * ball.points[0];
+  for (Triangle& t : small.triangles) std::swap(t[1], t[2]);
+  for (Vec3& p : small.points)
+    if ((p - ball.points[0]).norm() < 1e-12) p = ball.points[0];
+  const Watertightness found = watertightness(joined({ball, small}));
+  EXPECT_EQ(found.pieces, 1u);
+  EXPECT_GT(found.volume, 0);
+  EXPECT_EQ(found.inverted_shells, 1u);
+  EXPECT_FALSE(found.printable());
+}
+
 TEST(Watertight, HolesAreCountedByBoundaries) {
   TriangleSoup sphere = make_icosphere(3);
   sphere = cut(sphere, [](const Vec3& p) { return std::abs(p.z()) > 0.9; });
