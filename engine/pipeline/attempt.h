@@ -20,6 +20,8 @@ struct PatchProblem {
   const std::vector<BoundaryLoop>& loops;
   /// In which the patch may be the mirror image of the other side; null or empty: it may not.
   const std::vector<MirrorPlane>* mirror_planes = nullptr;
+  /// Whether attempts may start from other triangles between the loops: not where `initial` was made to cut nothing.
+  enum class Triangles { any, of_initial } triangles = Triangles::any;
 };
 
 struct AttemptContext {

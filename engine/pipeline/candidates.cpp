@@ -317,7 +317,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     situation.options.split = situation.split;
     if (!problem.loops.empty()) situation.options.literal_relief = SplitEstimate::exact_hole;
   }
-  if (situation.is_rough() && !situation.is_cut()) situation.triangulation = triangulation_of(problem, cancel);
+  if (situation.is_rough() && !situation.is_cut() && problem.triangles == PatchProblem::Triangles::any)
+    situation.triangulation = triangulation_of(problem, cancel);
   const double choice = seconds_since(start);
   PatchResult result = best_candidate(situation);
   result.seconds.choice = choice;

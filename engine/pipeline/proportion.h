@@ -23,8 +23,8 @@ std::vector<Proportion> proportions_of(const Patch& patch, const Patch& initial)
 
 /// A large or deep patch is right where it runs on as a sphere does, with next to no energy. With energy it is a bubble.
 inline constexpr Proportion most_of_a_patch{2.5, 0.4, 1};
-/// Sharp edges that run on have energy, and meet in a tip up to three radii of the loop above it: farther, small errors of the sides
-/// move it far.
+/// Sharp edges that run on have energy, and may meet in a tip some two and a half radii of the loop above it. Beyond, small errors of the
+/// sides move it far.
 inline constexpr Proportion most_of_sharp_sides{5, 1, 1};
 bool is_out_of_proportion(const Proportion& proportion, const Proportion& most = most_of_a_patch);
 

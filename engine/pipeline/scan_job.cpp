@@ -260,7 +260,7 @@ void name_pairs(const ScanPlan& plan, std::vector<HoleResult>& results) {
       Message& message = results[static_cast<std::size_t>(own)].message;
       message = joined(std::move(message), "; ", advice(pair, own + 1, other + 1));
       if (several && pair.kind != RimPair::Kind::gap)
-        message = joined(std::move(message), "; ", say("one command takes --loops for each pair"));
+        message = joined(std::move(message), "; ", say("for several pairs, repeat --loops in one command"));
     }
 }
 

@@ -254,7 +254,8 @@ class GroupSolver {
       uncut.survey = initial.survey;
       uncut.seconds = made.seconds.total + seconds_since(start);
       PatchResult next = solved(uncut);
-      if (cancel_.cancelled() || !(faults(next.verdicts) < faults(made.verdicts))) return;
+      if (next.validity.intersections > 0 || cancel_.cancelled()) return;
+      if (!(faults(next.verdicts) < faults(made.verdicts))) return;
       made.attempts.emplace_back(text_to_say("from triangles that cut nothing"));
       next.attempts.insert(next.attempts.begin(), made.attempts.begin(), made.attempts.end());
       message = uncut.outcomes.front().message;
@@ -287,7 +288,9 @@ class GroupSolver {
         initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_, initial.split);
     const double survey_seconds = initial.survey ? initial.survey_seconds : seconds_since(start);
     const std::vector<BoundaryLoop> loops = loops_of(initial);
-    const PatchProblem problem{scan_, *initial.patch, loops, &options_.mirror_planes};
+    const auto triangles = initial.origin == InitialPatch::Origin::uncut ? PatchProblem::Triangles::of_initial
+                                                                         : PatchProblem::Triangles::any;
+    const PatchProblem problem{scan_, *initial.patch, loops, &options_.mirror_planes, triangles};
     PatchResult result;
     if (options_.evolution) {
       EvolutionOptions evolution = *options_.evolution;

@@ -272,6 +272,9 @@ TEST(FlatCut, ANoisyBaseIsClosedFlatFromTrianglesThatCutNothing) {
     const std::vector<HoleResult> results = fill_all_holes(model);
     ASSERT_EQ(results.size(), 1u);
     EXPECT_EQ(results[0].verdict().grade, Grade::good) << results[0].verdict().message();
+    EXPECT_EQ(results[0].outcome().attempts.front(), "minimal surface over a cut");
+    for (std::size_t v = figure.points.size(); v < model.soup.points.size(); ++v)
+      EXPECT_NEAR(model.soup.points[v].z(), base, 0.04);
   }
 }
 
