@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -86,6 +87,40 @@ TEST_F(CliBlend, BothEndsOfAPipeInOneCommand) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(json::parse(std::ifstream(work / "r.json"))["patches"].size(), 2u);
   EXPECT_TRUE(watertightness(read_mesh(work / "out.ply").soup).printable());
+}
+
+/// Two sheets above each other, each with two square holes that touch at a corner.
+TEST_F(CliBlend, LoopsThatTouchAreNotTakenForEachOther) {
+  constexpr int side = 12;
+  const auto sheet = [](double z, bool is_turned) {
+    TriangleSoup soup;
+    for (int x = 0; x <= side; ++x)
+      for (int y = 0; y <= side; ++y) soup.points.emplace_back(x, y, z);
+    for (int x = 0; x < side; ++x)
+      for (int y = 0; y < side; ++y) {
+        if (x / 3 == y / 3 && (x / 3 == 1 || x / 3 == 2)) continue;
+        const int a = x * (side + 1) + y, b = a + 1, c = a + side + 1, d = c + 1;
+        for (Triangle t : {Triangle{a, c, d}, Triangle{a, d, b}}) {
+          if (is_turned) std::swap(t[1], t[2]);
+          soup.triangles.push_back(t);
+        }
+      }
+    return soup;
+  };
+  const TriangleSoup both = joined({sheet(0, true), sheet(2, false)});
+  write("sheets.ply", both);
+  const json plan = json::parse(loopmend_program("info " + path("sheets.ply") + "--json -").out);
+  std::string far_ones;  // whose squares reach to 9
+  for (const json& loop : plan["loops"]) {
+    double most = 0;
+    for (const json& v : loop["vertices"]) most = std::max(most, both.points[v.get<std::size_t>()].x());
+    if (most == 9) far_ones += (far_ones.empty() ? "1:" : ",1:") + std::to_string(loop["number"].get<int>());
+  }
+  EXPECT_EQ(blend(path("sheets.ply") + "--loops " + far_ones).code, 0);
+  const TriangleSoup result = read_mesh(work / "out.ply").soup;
+  ASSERT_GT(result.triangles.size(), both.triangles.size());
+  for (std::size_t f = both.triangles.size(); f < result.triangles.size(); ++f)
+    for (const int v : result.triangles[f]) EXPECT_GE(result.points[v].x(), 6 - 1e-9);
 }
 
 /// Of sheets side by side only a strip between them makes sense.

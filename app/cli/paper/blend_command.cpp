@@ -34,6 +34,12 @@ struct Joint {
   BlendResult result;
 };
 
+std::string names_of(const std::vector<NamedLoop>& loops) {
+  std::string names;
+  for (const NamedLoop& loop : loops) names += (names.empty() ? "" : ",") + loop.name;
+  return names;
+}
+
 Json joint_json(const Joint& joint) {
   const PatchResult& outcome = joint.result.outcome;
   Json json = patch_json(outcome);
@@ -67,7 +73,8 @@ Json blend_report(const BlendCommand& command, const OpenedParts& parts, const s
 void print_joint(std::FILE* out, const Joint& joint) {
   const PatchResult& outcome = joint.result.outcome;
   if (joint.result.turned_faces > 0)
-    std::fprintf(out, "%zu faces were turned round: their inside faced the gap.\n", joint.result.turned_faces);
+    std::fprintf(out, "Loops %s: %zu faces were turned round, whose inside faced the gap.\n",
+                 names_of(joint.loops).c_str(), joint.result.turned_faces);
   std::fprintf(out, "%6s  %6s  %21s  %21s\n", "loop", "edges", "angle at seam, deg", "jump of H x diameter");
   for (std::size_t k = 0; k < joint.loops.size(); ++k)
     std::fprintf(out, "%6s  %6d  %9.4f -> %8.4f  %9.4f -> %8.4f\n", joint.loops[k].name.c_str(),
@@ -101,16 +108,10 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
   for (const Joint& joint : joints) print_findings(out, joint);
 }
 
-std::string names_of(const std::vector<NamedLoop>& loops) {
-  std::string names;
-  for (const NamedLoop& loop : loops) names += (names.empty() ? "" : ",") + loop.name;
-  return names;
-}
-
 /// What to do where no surface joins the loops.
-std::string next_step(const OpenedParts& parts, const std::vector<BoundaryLoop>& loops) {
+std::string next_step(const OpenedParts& parts, const std::vector<NamedLoop>& loops) {
   if (parts.paths.size() == 1 && loops.size() == 2)
-    if (const std::optional<RimPair> gap = find_gap(parts.joined.model, loops[0], loops[1]))
+    if (const std::optional<RimPair> gap = find_gap(parts.joined.model, loops[0].loop, loops[1].loop))
       return gap_cure(*gap).english();
   return "name other loops (--loops), or close each by itself ('loopmend fill')";
 }
@@ -123,21 +124,29 @@ std::vector<Joint> asked_joints(const BlendCommand& command, const JoinedParts& 
     joints.push_back({choose_part_loops(parts, loops), {}});
     for (const NamedLoop& loop : joints.back().loops)
       if (!named.insert(loop.loop.number).second)
-        throw UsageError("loop " + loop.name + " is named for two patches: each --loops joins others");
+        throw UsageError("loop " + loop.name + " is named for two patches: a loop can be in one --loops only");
   }
   return joints;
 }
 
-/// The loops as they stand in a model that has patches between others: its vertices are numbered as they were.
-std::vector<BoundaryLoop> loops_now(const SurfaceModel& model, const std::vector<NamedLoop>& asked) {
-  const std::vector<BoundaryLoop> all = find_boundary_loops(model);
+std::vector<int> points_of(const SurfaceModel& model, const BoundaryLoop& loop) {
+  std::vector<int> points;
+  for (const int v : loop.vertices) points.push_back(model.soup_vertex[v]);
+  std::ranges::sort(points);
+  return points;
+}
+
+/// The loops of `first`, as they stand in the same model with patches between others; fewer where a patch has changed some.
+std::vector<BoundaryLoop> loops_now(const SurfaceModel& first, const std::vector<NamedLoop>& asked,
+                                    const SurfaceModel& model) {
   std::vector<BoundaryLoop> result;
-  for (const NamedLoop& named : asked)
-    for (const BoundaryLoop& loop : all)
-      if (std::ranges::count(loop.vertices, named.loop.vertices.front()) > 0) {
-        result.push_back(loop);
-        break;
-      }
+  const std::vector<BoundaryLoop> all = find_boundary_loops(model);
+  for (const NamedLoop& named : asked) {
+    const std::vector<int> points = points_of(first, named.loop);
+    const auto same =
+        std::ranges::find_if(all, [&](const BoundaryLoop& loop) { return points_of(model, loop) == points; });
+    if (same != all.end()) result.push_back(*same);
+  }
   return result;
 }
 
@@ -154,12 +163,20 @@ int run_blend(const BlendCommand& command) {
   Grade grade = Grade::good;
   for (Joint& joint : joints) {
     ProgressLine(command.words.verbosity()).say("joining " + std::to_string(joint.loops.size()) + " loops");
-    const std::vector<BoundaryLoop> loops = loops_now(model, joint.loops);
+    const std::vector<BoundaryLoop> loops = loops_now(parts.joined.model, joint.loops, model);
+    if (loops.size() < joint.loops.size()) {
+      std::fprintf(
+          stderr,
+          "loopmend: the loops %s were not joined: a patch between others has changed one of them, which touches it. "
+          "Nothing was written.\n",
+          names_of(joint.loops).c_str());
+      return exit_loops_failed;
+    }
     joint.result = blend_loops(model, loops, options_of(command.words), CancelToken());
     if (joint.result.outcome.status == PatchStatus::failed) {
       std::fprintf(stderr, "loopmend: the loops %s were not joined: %s; %s. Nothing was written.\n",
                    names_of(joint.loops).c_str(), joint.result.outcome.message.english().c_str(),
-                   next_step(parts, loops).c_str());
+                   next_step(parts, joint.loops).c_str());
       return exit_loops_failed;
     }
     grade = std::max(grade, worst(joint.result.outcome.verdicts));

@@ -16,10 +16,9 @@ void add_blend(CLI::App& app, BlendCommand& command) {
   blend->add_option("IN", command.inputs, "Meshes to read (PLY, STL, OBJ, OFF, glTF, 3MF)")->required();
   blend->add_option("-o,--output", command.output, "Mesh to write; its extension chooses the format")->required();
   blend
-      ->add_option(
-          "--loops", command.loops,
-          "Loops as FILE:LOOP; files count from 1 in the order given, loops as 'info' prints them. Once for each "
-          "patch: the next one joins others")
+      ->add_option("--loops", command.loops,
+                   "Loops as FILE:LOOP; files count from 1 in the order given, loops as 'info' prints them. Give it "
+                   "once for each patch")
       ->allow_extra_args(false)
       ->type_name("1:2,2:1,...");
   add_flow_options(*blend, command.words, DensityOption::offer);
