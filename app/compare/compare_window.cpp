@@ -100,6 +100,7 @@ CompareWindow::CompareWindow(ComparisonController& flow_comparison, CompareTask 
   arrange();
   apply_look();
   update_all();
+  run_->setFocus();
 }
 
 QWidget* CompareWindow::build_run_bar() {
