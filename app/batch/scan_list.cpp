@@ -86,7 +86,7 @@ Found manifest_entry(const std::string& line, const fs::path& folder) {
   found.output = generic_path_text(found.base);
   const fs::path output = found.base.lexically_normal();
   if (!found.output.empty() &&
-      (output.is_absolute() || !output.has_filename() || *output.begin() == ".." || output == "."))
+      (output.has_root_path() || !output.has_filename() || *output.begin() == ".." || output == "."))
     throw UsageError("\"output\" takes the name of a file within the folder of the results, not \"" + found.output +
                      "\"");
   if (!found.output.empty()) found.output = generic_path_text(output);

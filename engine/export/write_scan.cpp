@@ -140,7 +140,7 @@ class SideFiles {
 
   void copy(const fs::path& name) {
     const fs::path relative = name.lexically_normal();
-    if (relative.is_absolute() || (!relative.empty() && *relative.begin() == "..")) {
+    if (relative.has_root_path() || (!relative.empty() && *relative.begin() == "..")) {
       remark(say("The file %1 is outside the scan's folder and was not copied.", path_text(name)));
       return;
     }

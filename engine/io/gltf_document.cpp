@@ -346,7 +346,7 @@ Message GltfDocument::find_beside(std::string_view uri, std::filesystem::path& p
   std::string plain = *name;
   std::replace(plain.begin(), plain.end(), '\\', '/');
   const std::filesystem::path relative = path_of_text(plain);
-  if (relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end())
+  if (relative.has_root_path() || std::find(relative.begin(), relative.end(), "..") != relative.end())
     return say("%1 is outside the folder of the file, where nothing is read", in_quotes(*name));
   path = std::filesystem::absolute(file_.path).parent_path() / relative;
   return {};
