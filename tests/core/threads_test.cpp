@@ -41,7 +41,10 @@ TEST(ThreadBudget, OneIsTheCallingThreadAlone) {
 TEST(ThreadBudget, IsTakenUpAndNotExceeded) {
   const int all = thread_budget();
   EXPECT_LE(all, static_cast<int>(std::thread::hardware_concurrency()));
-  EXPECT_EQ(threads_at_work().size() > 1, all > 1);
+  bool several = threads_at_work().size() > 1;
+  for (int again = 0; all > 1 && !several && again < 100; ++again)
+    several = threads_at_work().size() > 1;  // on a busy machine
+  EXPECT_EQ(several, all > 1);
   for (int budget : {2, 3}) {
     if (budget > all) continue;
     with_thread_budget(budget, [&] {
