@@ -12,7 +12,7 @@ namespace loopmend {
 
 namespace {
 
-/// What is directly within a shell once those that are inside out are turned.
+/// The space directly within a shell, once those that are inside out are turned.
 enum class Within { solid, cavity };
 
 /// The shell that another one is directly in; -1: it is in none; nothing where it is in several that cross.
