@@ -8,11 +8,14 @@
 #include "pipeline/flat_cut.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace loopmend {
 
@@ -39,35 +42,69 @@ std::string likely_off(const ExpectedDeviation& deviation) {
   return text;
 }
 
-/// The text with … for each number: reasons that differ by a figure are one.
-std::string without_numbers(const std::string& text) {
-  std::string plain;
-  bool in_number = false;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
-    const bool number =
-        is_digit(k) || (in_number && (text[k] == '.' || text[k] == 'e' || text[k] == '-') && is_digit(k + 1));
-    if (!number) plain += text[k];
-    if (number && !in_number) plain += "…";
-    in_number = number;
-  }
-  return plain;
+/// A text with its numbers apart: reasons that differ by a figure are one.
+struct Reason {
+  std::string plain;                 ///< "\x1f" for each number
+  std::vector<std::string> numbers;  ///< as they are written
+};
+
+Reason split(const std::string& text) {
+  static const std::regex number(R"(\d+(\.\d+)?(e[-+]?\d+)?)");
+  Reason reason{std::regex_replace(text, number, "\x1f"), {}};
+  for (std::sregex_iterator found(text.begin(), text.end(), number), end; found != end; ++found)
+    reason.numbers.push_back(found->str());
+  return reason;
 }
+
+double value(const std::string& number) {
+  double value = 0;
+  std::from_chars(number.data(), number.data() + number.size(), value);
+  return value;
+}
+
+/// Reasons of one plain text.
+struct Alike {
+  std::vector<std::vector<std::string>> numbers;  ///< of each
+  std::vector<int> loops;
+
+  /// Each number as it is in all of them, or from the lowest to the highest.
+  std::string text(const std::string& plain) const {
+    std::string text;
+    std::size_t k = 0;
+    for (const char c : plain) {
+      if (c != '\x1f') {
+        text += c;
+        continue;
+      }
+      const auto [low, high] =
+          std::ranges::minmax_element(numbers, {}, [k](const auto& of_one) { return value(of_one[k]); });
+      text += (*low)[k];
+      if (value((*low)[k]) < value((*high)[k])) text += " to " + (*high)[k];
+      ++k;
+    }
+    return text;
+  }
+};
 
 /// Each text once, with its loops. @param text_of  of one result; empty: there is none
 void print_once(std::FILE* out, const std::vector<HoleResult>& results, Detail detail,
                 std::string (*text_of)(const HoleResult&)) {
   constexpr std::size_t most_numbers = 12;
-  std::map<std::string, std::vector<int>> loops_of;
-  for (const HoleResult& r : results)
-    if (const std::string text = text_of(r); !text.empty())
-      loops_of[detail == Detail::all ? text : without_numbers(text)].push_back(r.loop.number);
-  for (const auto& [text, numbers] : loops_of) {
+  std::map<std::string, Alike> alike;
+  for (const HoleResult& r : results) {
+    const std::string text = text_of(r);
+    if (text.empty()) continue;
+    Reason reason = detail == Detail::all ? Reason{text, {}} : split(text);
+    Alike& same = alike[reason.plain];
+    same.numbers.push_back(std::move(reason.numbers));
+    same.loops.push_back(r.loop.number);
+  }
+  for (const auto& [plain, same] : alike) {
     std::string list;
-    for (std::size_t k = 0; k < std::min(numbers.size(), most_numbers); ++k)
-      list += (k ? ", " : "") + std::to_string(numbers[k]);
-    if (numbers.size() > most_numbers) list += " and " + std::to_string(numbers.size() - most_numbers) + " more";
-    std::fprintf(out, "loop%s %s: %s.\n", numbers.size() == 1 ? "" : "s", list.c_str(), text.c_str());
+    for (std::size_t k = 0; k < std::min(same.loops.size(), most_numbers); ++k)
+      list += (k ? ", " : "") + std::to_string(same.loops[k]);
+    if (same.loops.size() > most_numbers) list += " and " + std::to_string(same.loops.size() - most_numbers) + " more";
+    std::fprintf(out, "loop%s %s: %s.\n", same.loops.size() == 1 ? "" : "s", list.c_str(), same.text(plain).c_str());
   }
 }
 
@@ -81,12 +118,16 @@ std::string reason_text(const HoleResult& r) {
 
 /// What became of very many loops: how many there are for each outcome, and each thing that is said of them.
 void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
-  std::map<std::pair<std::string, std::string>, int> count;
-  for (const HoleResult& result : results)
-    ++count[{to_string(result.status), without_numbers(result.message.english())}];
-  for (const auto& [what, loops] : count)
-    std::fprintf(out, "%s %s%s%s\n", counted(loops, "loop", "loops").c_str(), what.first.c_str(),
-                 what.second.empty() ? "" : ": ", what.second.c_str());
+  std::map<std::pair<std::string, std::string>, Alike> alike;  // by status and reason
+  for (const HoleResult& result : results) {
+    Reason reason = split(result.message.english());
+    Alike& same = alike[{to_string(result.status), reason.plain}];
+    same.numbers.push_back(std::move(reason.numbers));
+    same.loops.push_back(result.loop.number);
+  }
+  for (const auto& [outcome, same] : alike)
+    std::fprintf(out, "%s %s%s%s\n", counted(same.loops.size(), "loop", "loops").c_str(), outcome.first.c_str(),
+                 outcome.second.empty() ? "" : ": ", same.text(outcome.second).c_str());
 }
 
 /// A finding on the shape over a loop that a person has to look at.
@@ -173,10 +214,7 @@ void print_cure(std::FILE* out, const ScanPlan& scan, int wide_cracks) {
     std::fprintf(out, " Gaps between sides that belong together: %d; fill again with the option named above.",
                  wide_cracks);
   if (split > 0) std::fprintf(out, " On another loop, or on themselves: %td; fill again with --stitch.", split);
-  if (cut > 0)
-    std::fprintf(out,
-                 " Along edges of more than two faces, or where the surface is one-sided: %td; fill again with --auto.",
-                 cut);
+  if (cut > 0) std::fprintf(out, " Along edges of more than two faces: %td; fill again with --auto.", cut);
   std::fprintf(out, "\n");
 }
 

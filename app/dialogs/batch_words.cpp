@@ -20,6 +20,7 @@ constexpr std::pair<const char*, const char*> reasons[] = {
     {"cut", QT_TRANSLATE_NOOP("loopmend::labels", "no hole: more than two faces meet there")},
     {"crack", QT_TRANSLATE_NOOP("loopmend::labels", "a crack: nothing is missing")},
     {"covered", QT_TRANSLATE_NOOP("loopmend::labels", "a crack: a face at the same place covers it")},
+    {"one_sided", QT_TRANSLATE_NOOP("loopmend::labels", "the surface is one-sided")},
     {"split_mesh", QT_TRANSLATE_NOOP("loopmend::labels", "the mesh is split there")},
     {"wide_crack", QT_TRANSLATE_NOOP("loopmend::labels", "a gap whose sides nearly touch")},
     {"every_patch_crosses", QT_TRANSLATE_NOOP("loopmend::labels", "every patch that was found would cut the surface")},

@@ -143,19 +143,30 @@ class SoupEdges {
     for (const Triangle& t : model.soup.triangles)  // also those that the view left out
       for (std::size_t k = 0; k < 3; ++k) {
         const int a = t[k], b = t[(k + 1) % 3];
-        if (on_boundary[a] && on_boundary[b]) ++faces_[key(a, b)];
+        if (on_boundary[a] && on_boundary[b]) ++at_[key(a, b)].faces;
       }
+    for (const auto h : model.mesh.halfedges())
+      if (model.mesh.is_boundary(h))
+        ++at_[key(model.soup_vertex[model.mesh.from_vertex_handle(h).idx()],
+                  model.soup_vertex[model.mesh.to_vertex_handle(h).idx()])]
+              .boundaries;
   }
-  bool has_several_faces(int a, int b) const {
-    const auto found = faces_.find(key(a, b));
-    return found != faces_.end() && found->second > 1;
-  }
+  bool has_several_faces(int a, int b) const { return at(a, b).faces > 1; }
+  /// Its two faces are in the view, which could not join them.
+  bool is_one_sided(int a, int b) const { return at(a, b).faces == 2 && at(a, b).boundaries == 2; }
 
  private:
   static std::uint64_t key(int a, int b) {
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
   }
-  std::unordered_map<std::uint64_t, int> faces_;
+  struct At {
+    int faces = 0, boundaries = 0;  ///< of the soup, of the view
+  };
+  At at(int a, int b) const {
+    const auto found = at_.find(key(a, b));
+    return found == at_.end() ? At{} : found->second;
+  }
+  std::unordered_map<std::uint64_t, At> at_;
 };
 
 /// Fills BoundaryLoop::coincident.
@@ -266,11 +277,17 @@ void sort_by_perimeter(const SurfaceModel& model, std::vector<BoundaryLoop>& loo
   loops = std::move(sorted);
 }
 
-LoopKind kind_of(const SurfaceModel& model, const BoundaryLoop& loop, const SoupEdges& edges) {
+/// Fills BoundaryLoop::one_sided.
+LoopKind kind_of(const SurfaceModel& model, BoundaryLoop& loop, const SoupEdges& edges) {
   const std::size_t n = loop.vertices.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (edges.has_several_faces(model.soup_vertex[loop.vertices[i]], model.soup_vertex[loop.vertices[(i + 1) % n]]))
-      return LoopKind::cut;
+  int cut = 0, one_sided = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const int a = model.soup_vertex[loop.vertices[i]], b = model.soup_vertex[loop.vertices[(i + 1) % n]];
+    cut += edges.has_several_faces(a, b);
+    one_sided += edges.is_one_sided(a, b);
+  }
+  loop.one_sided = cut > 0 && one_sided == cut;
+  if (cut > 0) return LoopKind::cut;
   if (loop.coincident == loop.edges()) return LoopKind::crack;
   return is_shaped_like_a_hole(loop) ? LoopKind::hole : LoopKind::outer_rim;
 }

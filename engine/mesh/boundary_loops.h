@@ -40,6 +40,7 @@ struct BoundaryLoop {
       0;  ///< reach of its piece from the loop's plane, in diameters; 0 where the extent rules an outline out
   double onward = 0;       ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
   int coincident = 0;      ///< edges that lie exactly on another boundary edge, of this loop or another
+  bool one_sided = false;  ///< cut only since the surface has one side, as a Möbius strip: at edges of two faces
   LoopKind kind = LoopKind::hole;
   /// Chords (i, k), i < k, over indices into `vertices`: the surface has an edge between these positions, on whatever part of
   /// it, so that a patch with that edge would make one of more than two faces. Ascending.
@@ -50,10 +51,10 @@ struct BoundaryLoop {
   int edges() const { return static_cast<int>(vertices.size()); }
 };
 
-/// Why it is an outer rim and no hole, without a full stop; empty for other kinds.
 /// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says.
 bool is_shaped_like_a_hole(const BoundaryLoop& loop);
 
+/// Why it is an outer rim and no hole, without a full stop; empty for other kinds.
 Message why_outer_rim(const BoundaryLoop& loop);
 
 /// All loops, by falling perimeter, then by lowest view vertex.

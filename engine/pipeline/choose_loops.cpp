@@ -87,6 +87,10 @@ std::map<std::size_t, std::optional<SeamContinuity>> named_loops(const SurfaceMo
 
 /// Why a loop that is not named cannot be filled; empty where it can.
 Message why_no_hole(const BoundaryLoop& loop, LoopSelection::OuterRim outer_rim) {
+  if (loop.one_sided)
+    return say("no hole: the surface is one-sided there, as a Möbius strip, so that no patch has an outer side: remove "
+               "the faces that twist it in another program")
+        .with_code("one_sided");
   if (loop.kind == LoopKind::cut) return say("no hole: runs where the surface had to be cut").with_code("cut");
   if (loop.kind == LoopKind::crack && loop.coincident < loop.edges())
     return say("crack: a face at the same place covers it already").with_code("covered");
@@ -100,6 +104,7 @@ Message why_no_hole(const BoundaryLoop& loop, LoopSelection::OuterRim outer_rim)
 
 /// What may help where why_no_hole() has a reason.
 LoopChoice::Cure cure_of(const BoundaryLoop& loop) {
+  if (loop.one_sided) return LoopChoice::Cure::none;
   if (loop.kind == LoopKind::cut) return LoopChoice::Cure::repair;
   const bool covered = loop.kind == LoopKind::crack && loop.coincident < loop.edges();
   return covered ? LoopChoice::Cure::none : LoopChoice::Cure::stitch;

@@ -35,7 +35,8 @@ TriangleSoup bridged(const SurfaceModel& model, int a, int b) {
 /// What --auto repairs.
 std::set<Defect> repairs_needed(const SurfaceModel& model) {
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  if (std::ranges::any_of(loops, [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; }))
+  if (std::ranges::any_of(loops,
+                          [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut && !loop.one_sided; }))
     return harmless_repairs;
   std::set<Defect> needed;
   if (model.repairs.duplicate_faces > 0 || find_inverted_shells(model, loops).closed > 0)

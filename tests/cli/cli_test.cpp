@@ -238,8 +238,25 @@ TEST_F(Cli, ManyLoopsAreSummedUpUnlessAskedFor) {
   EXPECT_GE(lines_of(loopmend_program("info --verbose " + words).out), 51);
   const Outcome fill = loopmend_program("fill " + words + to + "--max-edges 4");
   EXPECT_LT(lines_of(fill.out), 25);
-  EXPECT_THAT(fill.out, HasSubstr("51 loops skipped: has more than … edges (--max-edges)\n"));
+  EXPECT_THAT(fill.out, HasSubstr("51 loops skipped: has more than 4 edges (--max-edges)\n"));
   EXPECT_GE(lines_of(loopmend_program("fill --verbose " + words + to).out), 51);
+}
+
+TEST_F(Cli, ASummaryOfManyLoopsKeepsTheNumbersOfItsReasons) {
+  TriangleSoup strips;  // 26 pairs, of 2 to 6 squares, that abut along their whole length
+  for (int pair = 0; pair < 26; ++pair)
+    for (const int side : {0, 1})
+      for (int i = 0; i <= 2 + pair % 5; ++i) {
+        const int first = static_cast<int>(strips.points.size());
+        for (const int j : {0, 1}) strips.points.emplace_back(10 * pair + i, side + j, 0);
+        if (i == 0) continue;
+        strips.triangles.push_back({first - 2, first, first + 1});
+        strips.triangles.push_back({first - 2, first + 1, first - 1});
+      }
+  const std::filesystem::path scan = work / "strips.ply";
+  write_mesh(scan, strips);
+  const Outcome fill = loopmend_program("fill '" + scan.string() + "' -o '" + out.string() + "'");
+  EXPECT_THAT(fill.out, HasSubstr("52 loops skipped: boundary that coincides with another along 2 to 6 edges"));
 }
 
 TEST_F(Cli, ReportsOfThousandsOfLoopsHaveOneLineForEachAndAllFiguresOfTheLongest) {

@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <functional>
+#include <numbers>
 
 namespace loopmend {
 namespace {
@@ -20,6 +21,7 @@ using nlohmann::json;
 using test::loopmend_program;
 using test::Outcome;
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -167,6 +169,31 @@ TEST_F(Told, HolesThatTouchAreBothFilled) {
   EXPECT_THAT(run.out, HasSubstr("2 filled, 0 failed, 1 left as asked"));
 }
 
+TEST_F(Told, AOneSidedSurfaceGetsNoAdviceThatDoesNotHelp) {
+  constexpr int around = 24, across = 3;
+  TriangleSoup strip;
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j <= across; ++j) {
+      const double t = 2 * std::numbers::pi * i / around, v = 0.4 * (2.0 * j / across - 1);
+      const double r = 1 + v * std::cos(t / 2);
+      strip.points.emplace_back(r * std::cos(t), r * std::sin(t), v * std::sin(t / 2));
+    }
+  // Half a turn later the strip meets itself upside down.
+  const auto at = [&](int i, int j) { return i < around ? (across + 1) * i + j : across - j; };
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      strip.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      strip.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  write_mesh(work / "in.ply", strip);
+  for (const char* options : {"", "--auto"}) {
+    const Outcome run = fill(options);
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.out, AllOf(HasSubstr("the surface is one-sided there"), HasSubstr("Nothing was filled")));
+    EXPECT_THAT(run.out, Not(AnyOf(HasSubstr("--auto"), HasSubstr("--repair"))));
+  }
+}
+
 TEST_F(Told, NothingButCutSeamsIsNoSilentZero) {
   TriangleSoup soup = make_icosphere(2);
   const Triangle t = soup.triangles.front();  // a fin on one of its edges
@@ -175,8 +202,9 @@ TEST_F(Told, NothingButCutSeamsIsNoSilentZero) {
   write_mesh(work / "in.ply", soup);
   const Outcome run = fill();
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, AllOf(HasSubstr("Nothing was filled"), HasSubstr("surface is one-sided: 1; fill again with --auto"),
-                             HasSubstr("0 left as asked")));
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("Nothing was filled"), HasSubstr("more than two faces: 1; fill again with --auto"),
+                    HasSubstr("0 left as asked")));
   // With a hole beside it something was done.
   write_mesh(work / "in.ply", joined({soup, cut(make_icosphere(2), [](const Vec3& p) { return p.z() > 0.8; })}));
   EXPECT_EQ(fill().code, 0);
