@@ -11,6 +11,7 @@
 #include "document/labels.h"
 #include "document/message_words.h"
 #include "document/preferences.h"
+#include "jobs/remaining_time.h"
 #include "panels/banner.h"
 #include "panels/choices.h"
 #include "panels/parts.h"
@@ -264,6 +265,7 @@ EvolutionOptions CompareWindow::options() const {
 void CompareWindow::run() {
   if (flow_comparison_.stage() != ComparisonController::Stage::ready) return;
   banner_->hide();  // its message is on the last run
+  running_.start();
   flow_comparison_.run(options());
   for (FlowCanvas* canvas : canvases()) canvas->expect_news();
 }
@@ -342,6 +344,7 @@ void CompareWindow::update_all() {
 void CompareWindow::update_flow_run(int flow_run) {
   flow_views_[flow_run]->show_flow_run(*flow_comparison_.flow_run(flow_run), task_.accept_help);
   numbers_->update_flow_run(flow_run);
+  update_wait();
   if (wiping_->isChecked()) update_wipe();
 }
 
@@ -360,12 +363,29 @@ void CompareWindow::update_use() {
   for (QComboBox* box : {left_, right_}) box->setEnabled(wiping_->isChecked());
   half_width_->setEnabled(own_range_->isChecked());
   for (FlowView* flow_view : flow_views_) flow_view->set_use(ready ? FlowView::Use::open : FlowView::Use::running);
+  update_wait();
+}
+
+/// What runs, and how long the slowest flow still takes on its course to the steady state.
+void CompareWindow::update_wait() {
+  const ComparisonController::Stage stage = flow_comparison_.stage();
   QString words;
   if (stage == ComparisonController::Stage::preparing) words = tr("Making the start\u2026");
-  if (stage == ComparisonController::Stage::running) words = tr("Running\u2026");
-  if (ready && flow_comparison_.start())
+  if (stage == ComparisonController::Stage::ready && flow_comparison_.start())
     words =
         tr("%1 free vertices").arg(labels::count(static_cast<std::size_t>(flow_comparison_.start()->patch.free_count)));
+  if (stage == ComparisonController::Stage::running) {
+    words = tr("Running\u2026");
+    const double seconds = 1e-3 * static_cast<double>(running_.elapsed());
+    double left = 0;
+    for (int k = 0; k < flow_comparison_.flow_runs(); ++k) {
+      const ComparedRun& run = *flow_comparison_.flow_run(k);
+      if (run.steps > 0 && run.stage == ComparedRun::Stage::moving)
+        left = std::max(left, steps_left(run.steps) * seconds / run.steps);
+    }
+    const bool is_known = options().mode == EvolutionMode::steady && seconds > least_seconds_told;
+    if (is_known && left >= 1) words += QLatin1Char(' ') + labels::time_left(left);
+  }
   wait_->setText(words);
 }
 

@@ -7,6 +7,7 @@
 #include "jobs/comparison_controller.h"
 #include "scene/look.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QWidget>
 
@@ -78,6 +79,7 @@ class CompareWindow : public QWidget {
   void update_all();
   void update_flow_run(int flow_run);
   void update_use();
+  void update_wait();
   void update_range();
   void apply_look();
   void choose_from();
@@ -99,6 +101,7 @@ class CompareWindow : public QWidget {
   Look look_;
   PictureClock* clock_;
   double range_ = 1;
+  QElapsedTimer running_;
   bool faced_ = false, run_soon_ = false;
   std::vector<FlowView*> flow_views_;
   FlowCanvas* wipe_ = nullptr;

@@ -93,10 +93,16 @@ void FillController::run_repair(ScanRepair what, std::vector<ScanRepairTask> tas
       share = [k, count, defects = tasks[k].defects](const RepairStep& step) {
         return (static_cast<double>(k) + share_of_repair(defects, step)) / count;
       };
+    if (what == ScanRepair::prepare)
+      share = [k, count, done = 0.0](const RepairStep& step) mutable {
+        done = share_of_preparing(step.stage, done);
+        return (static_cast<double>(k) + done) / count;
+      };
     tasks[k].on_step = [this, job, title, share](const RepairStep& step) {
-      job->post([this, title, share, step] {
+      const double done = share ? share(step) : 0;
+      job->post([this, title, share, step, done] {
         show_repair_step(title, step);
-        if (share) show_share(share(step));
+        if (share) show_share(done);
       });
     };
   }

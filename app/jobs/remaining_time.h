@@ -26,6 +26,9 @@ inline constexpr double seconds_of_a_vertex = 3e-4;
 /// How much of repairing these defects, and of measuring the result, is done when the step begins, 0..1.
 double share_of_repair(const std::set<Defect>& defects, const RepairStep& step);
 
+/// How much of preparing a scan is done when the stage begins, 0..1; at least `before`, since a survey comes twice.
+double share_of_preparing(RepairStage stage, double before);
+
 /// No estimate in the first three seconds, before a twentieth is done, and at the end.
 /// @param seconds  since the work began
 /// @param share    of the work that is done, 0..1

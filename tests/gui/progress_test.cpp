@@ -111,9 +111,16 @@ void ProgressTest::preparing_names_what_is_at_work() {
     if (!words.isEmpty()) seen << words;
     if (!words.isEmpty()) QCOMPARE(box->text(), words);
   });
+  QVector<double> shares;
+  const auto counting =
+      connect(&window.controller(), &FillController::share_done, this, [&](double share) { shares << share; });
   trigger(window, "prepareAction");
   QVERIFY(wait_idle(window));
   disconnect(listening);
+  disconnect(counting);
+  QCOMPARE(shares.size(), 8);  // one with each stage
+  QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+  QVERIFY(shares.front() == 0 && shares.back() > 0.5 && shares.back() < 0.9);
   QCOMPARE(seen, QStringList({QStringLiteral("Preparing the scan"),
                               QStringLiteral("Preparing the scan: looking for what it needs"),
                               QStringLiteral("Preparing the scan: looking for what it needs"),
