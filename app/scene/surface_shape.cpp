@@ -318,9 +318,12 @@ double symmetric_range(std::span<const float> values, double percent) {
   const auto quantile = [&](double q) {
     const auto at = known.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(known.size() - 1));
     std::nth_element(known.begin(), at, known.end());
-    return std::abs(static_cast<double>(*at));
+    return static_cast<double>(*at);
   };
-  const double range = std::max(quantile(1 - percent / 100), quantile(percent / 100));
+  const double low = quantile(1 - percent / 100), high = quantile(percent / 100);
+  double range = std::max(std::abs(low), std::abs(high));
+  const bool is_nearly_constant = low * high > 0 && std::min(std::abs(low), std::abs(high)) > 0.5 * range;
+  if (is_nearly_constant) range *= 2;
   if (!(range > 0)) return 1;
   const double unit = std::pow(10.0, std::floor(std::log10(range)) - 1);
   return std::round(range / unit) * unit;

@@ -109,7 +109,8 @@ SurfaceShapePtr shape_of(const Patch& patch, const Vec3& origin,
 std::vector<SurfaceShapePtr> colored_parts(const ScanColors& colors, SurfaceShape& view);
 
 /// Half-width R of the colour range [−R, R] that holds `percent` of the values on either side of 0, rounded to two digits
-/// so that the legend reads well; 1 when nothing is known. Of more than a million values, every second, third, ... counts.
+/// so that the legend reads well; 1 when nothing is known. Twice that where the values are nearly constant, as on a ball, which
+/// would have the darkest colour all over. Of more than a million values, every second, third, ... counts.
 /// @param percent  50..100, of the known values
 double symmetric_range(std::span<const float> values, double percent = 98);
 

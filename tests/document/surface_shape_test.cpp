@@ -145,5 +145,19 @@ TEST(SurfaceShape, ALargeOneIsReducedToItsMeans) {
   }
 }
 
+TEST(SurfaceShape, NearlyConstantValuesLieInTheMiddleOfTheirHalfOfTheColors) {
+  const auto ramp = [](float from, float to) {
+    std::vector<float> values(101);
+    for (int k = 0; k <= 100; ++k)
+      values[static_cast<std::size_t>(k)] = from + (to - from) * static_cast<float>(k) / 100;
+    return values;
+  };
+  EXPECT_DOUBLE_EQ(symmetric_range(ramp(-1, -1)), 2);
+  EXPECT_DOUBLE_EQ(symmetric_range(ramp(4, 5)), 10);
+  EXPECT_DOUBLE_EQ(symmetric_range(ramp(0, 5)), 4.9);
+  EXPECT_DOUBLE_EQ(symmetric_range(ramp(-5, 5), 100), 5);
+  EXPECT_DOUBLE_EQ(symmetric_range(ramp(-1, -5), 100), 5);
+}
+
 }  // namespace
 }  // namespace loopmend::test
