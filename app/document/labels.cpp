@@ -236,11 +236,13 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
   // No praise for a sharp crease, nor for one that is sharper than before.
   const bool creased = now.g1_rms_deg > sharp_crease_deg || now.g1_rms_deg > before.g1_rms_deg + 1;
   constexpr double worth_a_word = 0.95;  // "1.00 times smaller" says nothing
+  constexpr int enough = 1000;           // times
   if (before.h_jump_rms > 0 && now.h_jump_rms < worth_a_word * before.h_jump_rms && !creased)
-    sentence +=
-        QLatin1Char(' ') + (stage == PatchStatus::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
-                                                         : tr("The flow made the jump of curvature %1 times smaller."))
-                               .arg(number(before.h_jump_rms / now.h_jump_rms));
+    sentence += QLatin1Char(' ') +
+                (stage == PatchStatus::faired ? tr("Fairing made the jump of curvature %1 times smaller.")
+                                              : tr("The flow made the jump of curvature %1 times smaller."))
+                    .arg(enough * now.h_jump_rms < before.h_jump_rms ? tr("over %1").arg(count(std::size_t{enough}))
+                                                                     : number(before.h_jump_rms / now.h_jump_rms));
   return sentence;
 }
 

@@ -190,7 +190,9 @@ void Plot::fit_axis(Side side) {
     at->setRange(low / 1.6, high * 1.6);
     return;
   }
-  const double margin = high > low ? 0.08 * (high - low) : std::max(1e-9, 0.1 * std::abs(high));
+  // Of nearly equal values the marks would be equal, too, in four digits.
+  const double least = std::max(1e-9, 0.04 * std::max(std::abs(low), std::abs(high)));
+  const double margin = std::max(0.08 * (high - low), (least - (high - low)) / 2);
   at->setRange(low - margin, high + margin);
 }
 

@@ -24,6 +24,11 @@ TEST(SeamSentence, PraisesASmallerJumpOfCurvature) {
   EXPECT_FALSE(praises(seam(20, 2), seam(0.5, 100)));
 }
 
+TEST(SeamSentence, GivesNoDigitsOfAJumpThatIsAsGoodAsGone) {
+  const QString text = labels::seam_sentence(seam(20, 100), seam(0, 1e-4), PatchStatus::converged, Grade::good);
+  EXPECT_TRUE(text.contains(QStringLiteral("over 1,000 times smaller"))) << text.toStdString();
+}
+
 TEST(SeamSentence, DoesNotPraiseABadPatch) {
   const QString text = labels::seam_sentence(seam(20, 100), seam(0.5, 2), PatchStatus::converged, Grade::bad);
   EXPECT_FALSE(text.contains(QStringLiteral("times smaller")));

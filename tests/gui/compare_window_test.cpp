@@ -11,6 +11,8 @@
 #include <QScreen>
 #include <QTemporaryDir>
 
+#include <set>
+
 using namespace loopmend;
 using namespace loopmend::testing;
 
@@ -21,6 +23,7 @@ class CompareWindowTest : public QObject {
   void it_fits_the_screen_and_keeps_its_place();
   void it_lies_beside_the_holes_where_there_is_room();
   void distances_and_their_histogram_have_the_unit();
+  void marks_of_nearly_equal_values_differ();
 
  private:
   QTemporaryDir folder_;
@@ -93,6 +96,24 @@ void CompareWindowTest::distances_and_their_histogram_have_the_unit() {
   QCOMPARE(axis("compareProfiles", &QCustomPlot::xAxis), QStringLiteral("Distance, mm"));
   const QString legend = in<QWidget>(*window, "compareLegend")->accessibleDescription();
   QCOMPARE(legend, QStringLiteral("From MMCVF, in mm"));
+}
+
+void CompareWindowTest::marks_of_nearly_equal_values_differ() {
+  Plot plot("marks", QStringLiteral("Marks"));
+  plot.set_axis(Plot::Side::left, Plot::Scale::linear);
+  plot.set_data(plot.add_graph(Plot::Side::left, QStringLiteral("H"), Plot::Line::solid, 0), {0, 1, 2},
+                {-1, -1.00001, -0.9998});
+  plot.resize(300, 300);
+  plot.show();
+  plot.redraw();
+  QVERIFY(settle());
+  auto* axis = plot.findChild<QCustomPlot*>()->yAxis;
+  QVector<double> ticks;
+  QVector<QString> marks;
+  axis->ticker()->generate(axis->range(), plot.locale(), QLatin1Char('g'), axis->numberPrecision(), ticks, nullptr,
+                           &marks);
+  QVERIFY(marks.size() >= 3);
+  QCOMPARE(std::set<QString>(marks.begin(), marks.end()).size(), static_cast<std::size_t>(marks.size()));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<CompareWindowTest>(); }
