@@ -206,7 +206,7 @@ nlohmann::ordered_json fill_report(const FillCommand& command, const ImportRepor
   json["input"] = input_json(command.input, import, scan.done.before);
   json["prepared"] = preparation_json(scan.done);
   json["trimmed_faces"] = faces_json(scan.trimmed);
-  json["bad_rim_faces"] = faces_json(scan.bad_faces);
+  json["bad_boundary_faces"] = faces_json(scan.bad_faces);
   json["loops"] = nlohmann::ordered_json::array();
   const std::size_t in_full = command.detail == Detail::all ? results.size() : most_loops_in_report;
   for (std::size_t k = 0; k < results.size(); ++k)

@@ -71,7 +71,7 @@ namespace {
 
 Json boundary_json(const HoleResult& result) {
   const BoundarySummary boundary = result.neighborhood();
-  return {{"surroundings", to_string(boundary.split.kind())},
+  return {{"kind", to_string(boundary.split.kind())},
           {"relief", json_number(boundary.relief)},
           {"relief_per_edge", json_number(boundary.relief_per_edge)},
           {"noise", json_number(boundary.noise)},
@@ -153,7 +153,7 @@ Json loop_json(const HoleResult& result) {
   json["free_vertices"] = result.free_vertices;
   json["steps"] = patch.steps;
   json["bending"] = patch.bending;
-  json["rim"] = boundary_json(result);
+  json["neighborhood"] = boundary_json(result);
   json["seconds"] = {{"initial_patch", patch.seconds.initial_patch},
                      {"survey", patch.seconds.survey},
                      {"choice", patch.seconds.choice},

@@ -15,7 +15,7 @@
 namespace loopmend {
 
 /// Grows when a field of the reports goes, or means something else. See docs/user/report.schema.json and info.schema.json.
-constexpr int report_schema_version = 4;
+constexpr int report_schema_version = 5;
 
 /// "input": path, vertices, faces, import {counts by kind}.
 nlohmann::ordered_json input_json(const std::filesystem::path& path, const ImportReport& import,

@@ -57,10 +57,10 @@ def main():
                 new = np.array([line.split()[1:4] for line in lines if line.startswith("v ")][len(points):], float)
                 distances.append(np.sqrt(np.mean((np.linalg.norm(new, axis=1) - 1) ** 2)) / edge)
                 if boundary == "auto":
-                    rim, method = loop["rim"], loop["method"]
+                    neighborhood, method = loop["neighborhood"], loop["method"]
                     subprocess.run([program, "render", given, filled, "--color", "plain", "--direction", "0.36,0.48,0.8",
                                     "--size", "900x450", "-o", str(pictures / f"{kind}.png")], check=True)
-        figures = (rim["relief_per_edge"] or 0, rim["noise_per_edge"] or 0, method, *distances)
+        figures = (neighborhood["relief_per_edge"] or 0, neighborhood["noise_per_edge"] or 0, method, *distances)
         print("| %s | %.2g | %.2g | `%s` | %.2g | %.2g |" % (kind, *figures))
 
 

@@ -46,8 +46,8 @@ class BoundaryOptions : public testing::Test {
 };
 
 TEST_F(BoundaryOptions, ReportTellsOfTheBoundary) {
-  const json boundary = fill(clean, "")["loops"][0]["rim"];
-  EXPECT_EQ(boundary["surroundings"], "smooth");
+  const json boundary = fill(clean, "")["loops"][0]["neighborhood"];
+  EXPECT_EQ(boundary["kind"], "smooth");
   EXPECT_NEAR(boundary["h_rms"].get<double>(), 1, 0.02);
   EXPECT_LT(boundary["noise_per_edge"].get<double>(), 1e-3);
   EXPECT_LT(boundary["h_sigma"].get<double>(), 0.05);
@@ -74,16 +74,16 @@ TEST_F(BoundaryOptions, LowerContinuityLeavesWhatItDoesNotPromise) {
 TEST_F(BoundaryOptions, TrimmingIsOffAndReportsFaceByFace) {
   const json left = fill(ragged, "");
   EXPECT_TRUE(left["trimmed_faces"].empty());
-  ASSERT_EQ(left["bad_rim_faces"].size(), 1U);
-  EXPECT_EQ(left["bad_rim_faces"][0]["face"], dangling_face);
-  EXPECT_EQ(left["bad_rim_faces"][0]["fault"], "dangling");
+  ASSERT_EQ(left["bad_boundary_faces"].size(), 1U);
+  EXPECT_EQ(left["bad_boundary_faces"][0]["face"], dangling_face);
+  EXPECT_EQ(left["bad_boundary_faces"][0]["fault"], "dangling");
   EXPECT_EQ(left["loops"][0]["verdict"]["grade"], "good");
   EXPECT_FALSE(left.contains("suggestion"));
 
   const json trimmed = fill(ragged, "--trim-boundary 2");
   ASSERT_EQ(trimmed["trimmed_faces"].size(), 1U);
   EXPECT_EQ(trimmed["trimmed_faces"][0]["face"], dangling_face);
-  EXPECT_TRUE(trimmed["bad_rim_faces"].empty());
+  EXPECT_TRUE(trimmed["bad_boundary_faces"].empty());
   EXPECT_FALSE(trimmed.contains("suggestion"));
   EXPECT_EQ(trimmed["exterior_unchanged"], true);
   const TriangleSoup before = read_mesh(clean).soup, after = read_mesh(out).soup;

@@ -267,12 +267,12 @@ TEST_F(Cli, ReportsOfThousandsOfLoopsHaveOneLineForEachAndAllFiguresOfTheLongest
   const json of_brief = json::parse(brief.out), of_all = json::parse(all.out);
   ASSERT_EQ(of_brief["loops"].size(), 1001u);
   ASSERT_EQ(of_all["loops"].size(), 1001u);
-  EXPECT_TRUE(of_brief["loops"][999].contains("rim"));
+  EXPECT_TRUE(of_brief["loops"][999].contains("neighborhood"));
   const json& last = of_brief["loops"][1000];
   EXPECT_EQ(last.size(), 12u);
   for (const auto& [name, value] : last.items())
     EXPECT_EQ(value, name == "grade" ? of_all["loops"][1000]["verdict"][name] : of_all["loops"][1000][name]) << name;
-  EXPECT_TRUE(of_all["loops"][1000].contains("rim"));
+  EXPECT_TRUE(of_all["loops"][1000].contains("neighborhood"));
   for (const Outcome& run : {brief, all})
     EXPECT_LT(lines_of(run.out), 1001 + 30) << "one line for each loop, and for each field beside them";
   EXPECT_LT(lines_of(loopmend_program("info '" + scan.string() + "' --json -").out), 1001 + 10);
