@@ -107,7 +107,7 @@ void fields(auto& stream, Is<PatchState> auto& state) {
     stream.list(*reports, 5 * sizeof(double), [&](auto& report) { fields(stream, report); });
   stream.list(state.verdicts, 3 * sizeof(double), [&](auto& verdict) { fields(stream, verdict); });
   stream.list(state.deviation.loops, 4 * sizeof(double), [&](auto& e) {
-    for (auto* figure : {&e.half, &e.likely, &e.most, &e.signs.second_order}) stream.number(*figure);
+    for (auto* figure : {&e.half, &e.likely, &e.most, &e.predictors.second_order}) stream.number(*figure);
   });
   stream.array(state.deviation.vertices);
 }

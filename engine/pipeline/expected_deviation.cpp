@@ -24,22 +24,23 @@ constexpr double least_seam_deg = 2;
 /// Of a vertex, its deviation grows with this power of its own difference (docs/math/filling.md, "Validity checks").
 constexpr double power_at_vertex = 0.4;
 
-double usual_deviation(const DeviationSigns& signs) {
-  const std::array x = regressors(signs);
+double usual_deviation(const DeviationPredictors& predictors) {
+  const std::array x = regressors(predictors);
   return std::exp(std::inner_product(x.begin(), x.end(), coefficients.begin(), 0.0));
 }
 
 }  // namespace
 
-std::array<double, 5> regressors(const DeviationSigns& signs) {
-  return {1, std::log(std::max(signs.second_order, least_difference)), std::log(std::max(signs.area, least_area)),
-          std::log(std::max(signs.seam_deg, least_seam_deg)),
-          std::log(std::max(signs.initial_seam_deg, least_seam_deg))};
+std::array<double, 5> regressors(const DeviationPredictors& predictors) {
+  return {1, std::log(std::max(predictors.second_order, least_difference)),
+          std::log(std::max(predictors.area, least_area)), std::log(std::max(predictors.seam_deg, least_seam_deg)),
+          std::log(std::max(predictors.initial_seam_deg, least_seam_deg))};
 }
 
-ExpectedDeviation expected_deviation(const DeviationSigns& signs) {
-  const double usual = usual_deviation(signs);
-  return {usual * std::exp(half_quantile), usual * std::exp(likely_quantile), usual * std::exp(most_quantile), signs};
+ExpectedDeviation expected_deviation(const DeviationPredictors& predictors) {
+  const double usual = usual_deviation(predictors);
+  return {usual * std::exp(half_quantile), usual * std::exp(likely_quantile), usual * std::exp(most_quantile),
+          predictors};
 }
 
 DeviationEstimate expected_deviation(const Patch& patch, const std::vector<SeamReport>& seams,

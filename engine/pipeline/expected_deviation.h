@@ -14,7 +14,7 @@
 namespace loopmend {
 
 /// Of the part of a patch that one loop bounds: what the estimate rests on.
-struct DeviationSigns {
+struct DeviationPredictors {
   double second_order = 0;      ///< rms difference from the least ∫‖Δr‖² on the same triangles, loop diameters
   double area = 0;              ///< diameters²
   double seam_deg = 0;          ///< SeamReport::g1_rms_deg
@@ -28,7 +28,7 @@ struct ExpectedDeviation {
   double half = std::numeric_limits<double>::quiet_NaN();
   double likely = std::numeric_limits<double>::quiet_NaN();
   double most = std::numeric_limits<double>::quiet_NaN();
-  DeviationSigns signs;
+  DeviationPredictors predictors;
 
   bool is_known() const { return likely >= 0; }
 };
@@ -44,9 +44,9 @@ DeviationEstimate expected_deviation(const Patch& patch, const std::vector<SeamR
                                      const std::vector<SeamReport>& initial_seams, const CancelToken& cancel = {});
 
 /// The calibration alone. @returns bounds in loop diameters.
-ExpectedDeviation expected_deviation(const DeviationSigns& signs);
+ExpectedDeviation expected_deviation(const DeviationPredictors& predictors);
 
 /// Regressors of the calibration, the first of them 1.
-std::array<double, 5> regressors(const DeviationSigns& signs);
+std::array<double, 5> regressors(const DeviationPredictors& predictors);
 
 }  // namespace loopmend

@@ -72,7 +72,7 @@ struct Hole {
   int edges = 0, removed = 0;
   std::map<std::string, double> d;  ///< by method, 1e-3 of the diameter; NaN: not filled
   std::string status, attempt;      ///< of `auto`
-  DeviationSigns signs;             ///< of `auto`; 0: not known
+  DeviationPredictors predictors;   ///< of `auto`; 0: not known
   double at_vertices = 0;           ///< PatchFigures::d_rms of `auto`
   MirrorFit mirror;                 ///< where it was measured
   double seconds = 0;
@@ -169,7 +169,7 @@ Hole run_hole(const Cut& cut, const std::string& model, Methods methods) {
   take("auto", ours);
   hole.status = ours.status;
   hole.attempt = ours.attempt;
-  hole.signs = ours.signs;
+  hole.predictors = ours.predictors;
   if (ours.complete) hole.at_vertices = measure(problem, ours).d_rms;
   hole.seconds = ours.seconds;
   if (methods == Methods::mirror) {
@@ -291,8 +291,8 @@ std::string csv(const std::vector<Hole>& holes) {
       table.add({hole.name, hole.model, hole.shape, number(hole.edges), number(hole.removed), method, number(d),
                  number(hole.score(method)), of_default(hole.status), of_default(hole.attempt),
                  of_default(number(hole.seconds)), of_default(number(hole.at_vertices)),
-                 of_default(number(hole.signs.second_order)), of_default(number(hole.signs.area)),
-                 of_default(number(hole.signs.seam_deg)), of_default(number(hole.signs.initial_seam_deg)),
+                 of_default(number(hole.predictors.second_order)), of_default(number(hole.predictors.area)),
+                 of_default(number(hole.predictors.seam_deg)), of_default(number(hole.predictors.initial_seam_deg)),
                  of_mirror(to_string(hole.mirror.answer)), of_mirror(number(hole.mirror.misfit)),
                  of_mirror(number(hole.mirror.difference))});
     }

@@ -26,7 +26,7 @@ using namespace loopmend::bench;
 struct Hole {
   std::string model;
   double distance = 0;  ///< of the new vertices from what was there, rms, loop diameters
-  DeviationSigns signs;
+  DeviationPredictors predictors;
 };
 
 /// Rows of `auto` whose error bar is known. @throws InvalidArgument where the file cannot be read or has none.
@@ -64,7 +64,7 @@ void fit(const std::vector<Hole>& holes) {
   Eigen::Matrix<double, Eigen::Dynamic, columns> X(n, columns);
   Eigen::VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::array row = regressors(holes[i].signs);
+    const std::array row = regressors(holes[i].predictors);
     X.row(i) = Eigen::Map<const Eigen::Matrix<double, 1, columns>>(row.data());
     y[i] = logarithm(holes[i].distance);
   }
@@ -102,7 +102,7 @@ std::vector<std::string> coverage(const std::string& name, const std::vector<con
   int half = 0, likely = 0, most = 0, near = 0;
   std::vector<double> bounds, distances;
   for (const Hole* hole : holes) {
-    const ExpectedDeviation bar = expected_deviation(hole->signs);
+    const ExpectedDeviation bar = expected_deviation(hole->predictors);
     half += hole->distance <= bar.half;
     likely += hole->distance <= bar.likely;
     most += hole->distance <= bar.most;

@@ -61,8 +61,9 @@ void take_results(const std::vector<HoleResult>& results, Filling& filling) {
     filling.steps = std::max(filling.steps, result.steps());
     filling.bending = std::max(filling.bending, result.outcome().bending);
     add_lowered_energy(result.outcome(), filling);
-    if (const DeviationSigns& signs = result.deviation().signs; signs.second_order > filling.signs.second_order)
-      filling.signs = signs;
+    if (const DeviationPredictors& predictors = result.deviation().predictors;
+        predictors.second_order > filling.predictors.second_order)
+      filling.predictors = predictors;
     if (result.status == PatchStatus::failed || result.status == PatchStatus::skipped) filling.complete = false;
     if (severity(result.status) <= severity(worst)) continue;
     worst = result.status;

@@ -20,7 +20,7 @@ struct Filling {
   int steps = 0;          ///< of the flow, the most over the loops; 0 for others
   double bending = 0;     ///< HoleResult::bending, the most over the loops
   double energy_before = 0, energy_after = 0;  ///< of patches of the flow, summed over the loops (mmcvf: 1/length²)
-  DeviationSigns signs;                        ///< of the loop with the largest second_order; 0: not known
+  DeviationPredictors predictors;              ///< of the loop with the largest second_order; 0: not known
   MirrorFit mirror;                            ///< of the first loop
   double seconds = 0;                          ///< of the filling call alone
   bool exterior_unchanged = true;              ///< input points and triangles, bit for bit
