@@ -4,8 +4,10 @@
 #include "core/quantile.h"
 #include "filling/fairing.h"
 #include "mesh/quality.h"
+#include "neighborhood/boundary_fits.h"
 #include "operators/operator_set.h"
 #include "operators/polynomial_fit.h"
+#include "operators/vertex_normals.h"
 
 #include <algorithm>
 #include <array>
