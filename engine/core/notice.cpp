@@ -35,6 +35,7 @@ const char* to_string(NoticeCode code) {
     case NoticeCode::bubble: return "bubble";
     case NoticeCode::curvature_torn: return "curvature_torn";
     case NoticeCode::initial_patch_kept: return "initial_patch_kept";
+    case NoticeCode::edges_rounded: return "edges_rounded";
     case NoticeCode::crease: return "crease";
     case NoticeCode::bent_inside: return "bent_inside";
     case NoticeCode::seam_worse: return "seam_worse";
@@ -80,6 +81,7 @@ Message sentence(const Notice& notice) {
       return say("mean curvature jumps at the seam by %1 / diameter, before the flow by %2", digits, more);
     case NoticeCode::initial_patch_kept:
       return say("no flow or fairing gave a sound patch: the initial patch was kept");
+    case NoticeCode::edges_rounded: return say("sharp edges of the scan end here, and the patch rounds them");
     case NoticeCode::crease:
       return std::lround(number(1)) == 1 ? say("a crease of %1° along 1 edge of the seam", whole)
                                          : say("a crease of %1° along %2 edges of the seam", whole, rounded(number(1)));

@@ -21,6 +21,7 @@ enum class NoticeCode {
   bubble,               ///< area in areas of the initial patch, reach beyond it
   curvature_torn,       ///< jump of H × diameter, the same before
   initial_patch_kept,   ///< none
+  edges_rounded,        ///< sharp edges end at the loop, and the patch does not continue them. none
   crease,               ///< bend of the seam edges, number of these
   bent_inside,          ///< mean bend of edges inside the patch, their length in loop diameters
   seam_worse,           ///< rms angle at the seam, the same in the initial patch

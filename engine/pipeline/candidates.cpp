@@ -199,9 +199,18 @@ Message reason_of_cut(const Situation& s) {
 /// Of edges that a person drew, or that the scan has, where no patch was made that continues them.
 Message why_no_edges(const Situation& s, const LoopEdits& edits) {
   if (s.sharp || !continues_edges(s.options)) return {};
-  if (!edits.drawn.empty()) return say("no sharp edge was found where one was drawn");
+  if (!edits.drawn.empty())
+    return say(
+        "the edges drawn could not be continued: no surfaces fit the faces beside them and meet across the hole");
   if (!s.has_clear_edges || !edits.empty()) return {};
-  return say("sharp edges of the scan end at this hole and were not continued: --draw-edge draws them");
+  return say("sharp edges of the scan end at this hole and were not continued");
+}
+
+/// A person sees an edge that is rounded, whatever else is right.
+void judge_edges(const Situation& s, const LoopEdits& edits, PatchResult& result) {
+  const bool are_found = s.has_clear_edges || (s.sharp && !s.sharp->edges.empty());
+  if (!are_found || !edits.empty() || result.method == Method::sharp_edges) return;
+  for (Verdict& verdict : result.verdicts) add_finding(verdict, Grade::look, {NoticeCode::edges_rounded, {}});
 }
 
 PatchResult best_candidate(const Situation& s) {
@@ -235,10 +244,7 @@ PatchResult best_candidate(const Situation& s) {
     if (best.made_by.empty() || faults(initial.verdicts) < faults(best.verdicts)) {
       initial.message =
           joined(why_not_the_first, ": ", say("the initial patch was kept")).with_code("initial_patch_kept");
-      for (Verdict& verdict : initial.verdicts) {
-        verdict.grade = std::max(verdict.grade, Grade::look);
-        verdict.findings.push_back({NoticeCode::initial_patch_kept, {}});
-      }
+      for (Verdict& verdict : initial.verdicts) add_finding(verdict, Grade::look, {NoticeCode::initial_patch_kept, {}});
       best = std::move(initial);
     }
   }
@@ -336,6 +342,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     result.reason = joined(message_of(notice_on(result.mirror)), "; ", std::move(result.reason));
   if (Message missing = why_no_edges(situation, edits); !missing.empty() && result.method != Method::sharp_edges)
     result.reason = joined(std::move(missing), "; ", std::move(result.reason));
+  judge_edges(situation, edits, result);
   if (cancel.cancelled()) result.status = PatchStatus::cancelled;
   return result;
 }

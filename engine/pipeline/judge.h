@@ -51,6 +51,9 @@ struct LoopPlace {
   double ball_height = 0;  ///< of a ball through the loop that leaves the scan without a crease, in diameters
 };
 
+/// Adds a finding; the verdict is at least as grave.
+void add_finding(Verdict& verdict, Grade grade, Notice finding);
+
 /// Judges patches of the same loops.
 class Judge {
  public:
@@ -86,9 +89,6 @@ class Judge {
   void judge_inside(std::size_t loop, const BentEdges& bent, Verdict& verdict) const;
   bool expects_crease(std::size_t loop, std::size_t edge) const {
     return loop < expected_creases_.size() && edge < expected_creases_[loop].size() && expected_creases_[loop][edge];
-  }
-  bool expects_creases(std::size_t loop) const {
-    return loop < expected_creases_.size() && std::ranges::count(expected_creases_[loop], 1) > 0;
   }
   bool ends_at(std::size_t loop) const { return loop < ends_.size() && ends_[loop] != LoopEnd::runs_on; }
 
