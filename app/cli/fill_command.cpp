@@ -10,6 +10,7 @@
 
 #include "core/path_text.h"
 #include "core/seconds_since.h"
+#include "core/single_precision.h"
 #include "core/system_memory.h"
 #include "core/version.h"
 #include "io/atomic_file.h"
@@ -311,7 +312,11 @@ int run_fill(const FillCommand& command) {
   const WrittenScan written = write_scan(outputs, command.output, soup, options);
   const OutputLosses losses = losses_of(command.output, soup, command.write.encoding, opened.report.not_kept, exterior);
   std::optional<Watertightness> verdict;
-  if (command.check == Check::printable) verdict = watertightness(soup);
+  if (command.check == Check::printable) {
+    TriangleSoup as_written = soup;
+    if (holds_floats(command.output, soup, command.write.encoding)) round_to_floats(as_written.points);
+    verdict = watertightness(as_written);
+  }
 
   const double seconds = seconds_since(start);
   const std::string suggestion = trim_suggestion(command, scan, outcome);

@@ -190,7 +190,8 @@ class GroupSolver {
     if (!initial.patch || cancel_.cancelled()) return result;
     PatchResult made = solved(initial);
     if (cancel_.cancelled()) return result;
-    if (initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops && is_cut_off(initial, made))
+    if (initial.loops.size() == 1 && initial.origin == InitialPatch::Origin::loops &&
+        (is_cut_off(initial, made) || has_rounded_edges(made)))
       solve_from_uncut_triangles(initial, made, result.holes.front().message);
     if (made.validity.intersections > 0) bend_past_fragments(initial, made);
     if (cancel_.cancelled()) return result;
@@ -235,7 +236,13 @@ class GroupSolver {
            (worst(made.verdicts) == Grade::bad && validate(scan_, *initial.patch).intersections > 0);
   }
 
-  /// Of a loop whose every patch cuts the surface: once more from an initial patch that does not. Where there is none, or
+  static bool has_rounded_edges(const PatchResult& made) {
+    return std::ranges::any_of(made.verdicts, [](const Verdict& verdict) {
+      return std::ranges::count(verdict.findings, NoticeCode::edges_rounded, &Notice::code) > 0;
+    });
+  }
+
+  /// Of a loop whose every patch cuts the surface, or that of its sharp edges does: once more from an initial patch that does not. Where there is none, or
   /// anything goes wrong, `made` and `message` stay as they are.
   void solve_from_uncut_triangles(const InitialPatch& initial, PatchResult& made, Message& message) const {
     const BoundaryLoop& loop = initial.loops.front();
@@ -255,7 +262,9 @@ class GroupSolver {
       uncut.seconds = made.seconds.total + seconds_since(start);
       PatchResult next = solved(uncut);
       if (next.validity.intersections > 0 || cancel_.cancelled()) return;
-      if (!(faults(next.verdicts) < faults(made.verdicts))) return;
+      const bool continues_edges =
+          has_rounded_edges(made) && !has_rounded_edges(next) && worst(next.verdicts) != Grade::bad;
+      if (!continues_edges && !(faults(next.verdicts) < faults(made.verdicts))) return;
       made.attempts.emplace_back(text_to_say("from triangles that cut nothing"));
       next.attempts.insert(next.attempts.begin(), made.attempts.begin(), made.attempts.end());
       message = uncut.outcomes.front().message;
