@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace loopmend {
 
@@ -194,6 +195,27 @@ class Labelling {
   void open_pinches(std::vector<int>& labels) const {
     open_pinches_at_loop(labels);
     open_narrow_sides(labels);
+    part_parallel_sides(labels);
+  }
+
+  /// Where two sides that do not meet, as those of a plate, have a vertex in common, one of them withdraws from it for a third: a short
+  /// seam between two others is cheaper as a point.
+  void part_parallel_sides(std::vector<int>& labels) const {
+    std::vector<std::vector<int>> faces(domain_.points.size());
+    for (int f = 0; f < static_cast<int>(labels.size()); ++f)
+      for (const int v : domain_.triangles[f]) faces[v].push_back(f);
+    for (int v = domain_.loop; v < static_cast<int>(faces.size()); ++v) {
+      std::set<int> around;
+      for (const int f : faces[v]) around.insert(labels[f]);
+      if (around.size() < 4) continue;
+      for (const int i : around)
+        for (const int j : around) {
+          if (i >= j || normals_[i][v].cross(normals_[j][v]).norm() > parallel) continue;
+          const auto third = std::ranges::find_if(around, [&](int k) { return k != i && k != j; });
+          for (const int f : faces[v])
+            if (labels[f] == i) labels[f] = *third;
+        }
+    }
   }
 
   /// Where the triangles of a side at a vertex are in two runs, what lies between them is given to it.

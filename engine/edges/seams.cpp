@@ -131,9 +131,13 @@ class SeamTracer {
     }
     line = evenly_spaced(line, 1 + std::max<std::size_t>(1, segments(line)));
     chain.points.push_back(from);
+    const Vec3 end = layout_.points[to];
     for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+      const Vec3 point = place(both, line[k]);
+      const double least = one_node * size_(point);  // where the loop runs along the seam, its end may be passed
+      if ((point - layout_.points[chain.points.back()]).norm() < least || (point - end).norm() < least) continue;
       chain.points.push_back(static_cast<int>(layout_.points.size()));
-      layout_.points.push_back(place(both, line[k]));
+      layout_.points.push_back(point);
     }
     chain.points.push_back(to);
     const double bend = bend_deg(both, line[line.size() / 2]);

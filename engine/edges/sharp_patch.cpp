@@ -5,7 +5,6 @@
 #include "edges/seams.h"
 #include "filling/fairing.h"
 #include "filling/triangulate_loop.h"
-#include "mesh/quality.h"
 #include "mesh/triangulate_polygon.h"
 #include "remeshing/double_edges.h"
 #include "remeshing/patch_remesh.h"
@@ -195,33 +194,6 @@ Points carry_in(const Sides& sides, double reach, Assembly& all) {
   return moves;
 }
 
-/// Slivers that the displacement has turned over: their vertices within one side go to the mean of their neighbors, which lies in a
-/// plane as they do, until no such edge is folded.
-void open_slivers(Assembly& all) {
-  constexpr int most_rounds = 20;
-  constexpr double folded = -0.5;  // cosine
-  const auto is_free = [&](int v) { return v >= all.loop && all.sides[v].size() == 1; };
-  for (int round = 0; round < most_rounds; ++round) {
-    std::set<int> to_move;
-    for (const Bend& bend : bends(all.points, all.triangles, static_cast<int>(all.triangles.size())))
-      if (bend.cosine < folded && (all.sides[bend.low].size() == 1 || all.sides[bend.high].size() == 1))
-        for (const int f : {bend.face, bend.other})
-          for (const int v : all.triangles[f])
-            if (is_free(v)) to_move.insert(v);
-    if (to_move.empty()) return;
-    std::map<int, std::set<int>> neighbors;
-    for (const Triangle& t : all.triangles)
-      for (const int v : t)
-        if (to_move.contains(v)) neighbors[v].insert(t.begin(), t.end());
-    for (auto& [v, around] : neighbors) {
-      around.erase(v);
-      Vec3 sum = Vec3::Zero();
-      for (const int w : around) sum += all.points[w];
-      all.points[v] = sum / static_cast<double>(around.size());
-    }
-  }
-}
-
 /// Edges of the neighborhood between vertices of the loop.
 std::set<std::pair<int, int>> chords_outside(const Patch& initial, int loop) {
   std::set<std::pair<int, int>> chords;
@@ -383,7 +355,6 @@ std::optional<SharpPatch> continue_sides(const Patch& initial, const Sides& side
   misfit.largest = meshed->layout.gap;
   for (const Vec3& move : carry_in(sides, reach, all)) misfit.add(move.norm());
   if (!misfit.is_within(tolerance, diameter)) return std::nullopt;
-  open_slivers(all);
   SharpPatch result;
   std::set<int> used;
   for (const Part& part : meshed->layout.parts) used.insert(part.side);

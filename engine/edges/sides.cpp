@@ -313,6 +313,30 @@ std::optional<double> rms_of_one_surface(const Patch& patch, const FaceGroups& g
   return std::sqrt(sum / static_cast<double>(all.edges.size()));
 }
 
+/// A group of a few faces beside a sharp edge was joined to a neighbor whose surface it is not on. Where the surface of another side goes
+/// through the loop edge, and along the face across it, the edge is of that side.
+void correct_edges(const Patch& patch, const std::vector<int>& loop, const Points& normals_outside, double diameter,
+                   Sides& sides) {
+  constexpr double off = 0.02;  // diameters
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    int& own = sides.of_edge[i];
+    if (own < 0) continue;
+    const Vec3 &a = patch.positions[loop[i]], &b = patch.positions[loop[(i + 1) % loop.size()]];
+    const auto distance = [&](int s) {
+      const SideSurface& surface = sides.surfaces[s];
+      return std::max((surface.foot(a) - a).norm(), (surface.foot(b) - b).norm());
+    };
+    const double least = off * diameter;
+    if (distance(own) <= std::max(least, 5 * sides.surfaces[own].rms())) continue;
+    for (int other = 0; other < static_cast<int>(sides.surfaces.size()); ++other)
+      if (other != own && distance(other) < std::max(least / 4, 2 * sides.surfaces[other].rms()) &&
+          std::abs(sides.surfaces[other].normal_at(a).dot(normals_outside[i])) > steep) {
+        own = other;
+        break;
+      }
+  }
+}
+
 }  // namespace
 
 std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach, const SideEdits& edits) {
@@ -328,21 +352,25 @@ std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach,
   Sides result;
   result.groups = static_cast<int>(std::set<int>(groups.group.begin(), groups.group.end()).size());
   if (result.groups < 2) return std::nullopt;
-  std::map<std::pair<int, int>, int> group_at;  // of directed edges
-  for (std::size_t f = 0; f < groups.triangles.size(); ++f)
-    for (int k = 0; k < 3; ++k) group_at[{groups.triangles[f][k], groups.triangles[f][(k + 1) % 3]}] = groups.group[f];
+  std::map<std::pair<int, int>, int> face_at;  // of directed edges
+  for (int f = 0; f < static_cast<int>(groups.triangles.size()); ++f)
+    for (int k = 0; k < 3; ++k) face_at[{groups.triangles[f][k], groups.triangles[f][(k + 1) % 3]}] = f;
   std::vector<int> numbers, hand_of_number;  // groups at the loop
+  Points normals_outside;
   int covered = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const int a = loop[i], b = loop[(i + 1) % loop.size()];
-    auto found = group_at.find({b, a});
-    if (found == group_at.end()) found = group_at.find({a, b});
+    auto found = face_at.find({b, a});
+    if (found == face_at.end()) found = face_at.find({a, b});
     result.of_edge.push_back(-1);
-    if (found == group_at.end()) continue;
-    const auto number = std::find(numbers.begin(), numbers.end(), found->second);
+    normals_outside.emplace_back(Vec3::Zero());
+    if (found == face_at.end()) continue;
+    normals_outside.back() = groups.normals[found->second];
+    const int group = groups.group[found->second];
+    const auto number = std::find(numbers.begin(), numbers.end(), group);
     result.of_edge.back() = static_cast<int>(number - numbers.begin());
     if (number == numbers.end()) {
-      numbers.push_back(found->second);
+      numbers.push_back(group);
       hand_of_number.push_back(hands[i]);
     }
     ++covered;
@@ -373,6 +401,7 @@ std::optional<Sides> find_sides(const Patch& patch, std::size_t l, double reach,
   join_sides(patch, diameter, are_one, sides, result.surfaces, side_of_number);
   for (int& s : result.of_edge)
     if (s >= 0) s = side_of_number[s];
+  if (edits.drawn.empty()) correct_edges(patch, loop, normals_outside, diameter, result);
 
   double sum = 0, count = 0;
   Vec3 normal = Vec3::Zero();

@@ -383,8 +383,11 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   const bool known = wall.is_known();
   const double usual = median(wall.steepness);
   // What goes on outward, and does not turn back as the wall of a bowl, cannot close the loop.
-  const bool flares = wall.flares() && (straight || (known && quantile(wall.curvatures, 0.75) < 0));
-  if (flares && loop.planarity <= exact_planarity && median(wall.of_faces) > least_steep_edge) return LoopEnd::flat;
+  bool closes = known && !straight;  // by turning back
+  if (closes) closes = quantile(wall.curvatures, 0.75) >= 0;
+  if (wall.flares() && (straight || (known && !closes)) && loop.planarity <= exact_planarity &&
+      median(wall.of_faces) > least_steep_edge)
+    return LoopEnd::flat;
   if (!known && (!flat || usual < upright)) return LoopEnd::runs_on;
   std::vector<double> shares = wall.curvatures;  // of that of a ball
   for (double& share : shares) share *= facing.radius / usual;

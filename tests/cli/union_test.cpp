@@ -8,6 +8,7 @@
 #include "mesh/scan_attributes.h"
 #include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
+#include "support/sharp_surfaces.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -15,10 +16,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <sstream>
 
 namespace loopmend {
@@ -49,37 +48,11 @@ class UnionCommand : public test::ProgramTest {
   void write(const std::string& name, const TriangleSoup& soup) { write_mesh(work / name, soup); }
 };
 
-/// A cuboid of n × n squares on each face.
-TriangleSoup cuboid(int n, const Vec3& from, const Vec3& extent) {
-  TriangleSoup soup;
-  std::map<std::array<int, 3>, int> number;
-  const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [found, is_new] = number.emplace(at, static_cast<int>(soup.points.size()));
-    if (is_new) soup.points.push_back(from + Vec3(at[0], at[1], at[2]).cwiseProduct(extent) / n);
-    return found->second;
-  };
-  for (int axis = 0; axis < 3; ++axis)
-    for (const int side : {0, n})
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          const auto at = [&](int a, int b) {
-            std::array<int, 3> place{};
-            place[axis] = side;
-            place[(axis + 1) % 3] = a;
-            place[(axis + 2) % 3] = b;
-            return vertex(place);
-          };
-          Triangle low{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, high{at(i, j), at(i + 1, j + 1), at(i, j + 1)};
-          if (side == 0)
-            for (Triangle* t : {&low, &high}) std::swap((*t)[1], (*t)[2]);
-          soup.triangles.push_back(low);
-          soup.triangles.push_back(high);
-        }
-  return soup;
-}
-
 TEST_F(UnionCommand, TheCheckIsOfWhatIsWritten) {
-  TriangleSoup bodies = joined({cuboid(9, {0, 0, 0}, {2, 1, 1}), cuboid(7, {1, 0, 0}, {2, 1, 1})});
+  TriangleSoup first = test::make_cube(9), second = test::make_cube(7);
+  for (Vec3& p : first.points) p.x() *= 2;
+  for (Vec3& p : second.points) p.x() = 1 + 2 * p.x();
+  TriangleSoup bodies = joined({first, second});
   const Eigen::Quaterniond turn = Eigen::Quaterniond(0.7, 0.3, -0.5, 0.4).normalized();
   for (Vec3& p : bodies.points) p = 1000 * (turn * p);
   round_to_floats(bodies.points);

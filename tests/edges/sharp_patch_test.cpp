@@ -281,10 +281,11 @@ TEST(SharpEdges, TheTipOfAPyramidComesBack) {
 /// A plate so thin that the hole is seven times as wide.
 TEST(SharpEdges, ThatAreNotContinuedAreNamed) {
   const double cell = 1.0 / 24;
-  const Filled filled = fill_hole(FoldedSheet{{-cell, cell}, {0, 90, 180}, 0.35}.scan());
+  const Filled filled = fill_hole(FoldedSheet{{-3 * cell, 0, 3 * cell}, {0, 150, 0, 150}, 0.35}.scan());
   ASSERT_NE(filled.patch().made_by, "sharp edges");
   EXPECT_NE(filled.holes.front().reason().english().find("sharp edges of the scan end at this hole"), std::string::npos)
       << filled.holes.front().reason();
+  EXPECT_EQ(filled.holes.front().verdict().findings.at(0).code, NoticeCode::edges_rounded);
 }
 
 TEST(SharpEdges, AStripMissingInAFaceBetweenTwoEdgesIsPlane) {

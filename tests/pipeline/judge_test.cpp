@@ -73,7 +73,7 @@ TEST(Judge, TheCreaseIsTheBendThatDecides) {
 /// Over the sphere, a dome that meets it with an angle: its slope at the circle is √3 + 2 · 0.3 / r in place of √3, r = √3 / 2.
 TEST(Judge, NamesASeamThatBendsMoreThanTheInitialPatch) {
   const OpenSphere open;
-  const auto patch = [&](double height) {
+  const auto dome_of = [&](double height) {
     Patch patch = open.initial;
     for (int i = 0; i < patch.free_count; ++i) {
       Vec3 on = patch.to_mesh(patch.positions[i]).normalized();
@@ -82,7 +82,7 @@ TEST(Judge, NamesASeamThatBendsMoreThanTheInitialPatch) {
     }
     return patch;
   };
-  const Patch sphere = patch(0), dome = patch(0.3);
+  const Patch sphere = dome_of(0), dome = dome_of(0.3);
   const auto verdict = [&](const Patch& initial, const Patch& of, Judge::Creases creases) {
     return Judge(initial, {LoopEnd::runs_on}, creases)(of, validate(open.scan, of), seam_reports(of)).at(0);
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/paste.h"
 
+#include "pipeline/initial_patch.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
