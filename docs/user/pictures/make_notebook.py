@@ -11,8 +11,8 @@ from pathlib import Path
 
 import loopmend
 
-STYLE = """body { font: 15px sans-serif; margin: 10px 16px; } table { border-collapse: collapse; font-size: 14px; }
-td, th { padding: 4px 8px; text-align: right; } td:last-child { text-align: left; } tr:nth-child(even) { background: #f2f3f4; }"""
+STYLE = """body { font: 15px sans-serif; margin: 10px; } table { border-collapse: collapse; font-size: 15px; }
+td, th { padding: 4px 5px; text-align: left; } td:last-child { overflow-wrap: anywhere; } tr:nth-child(even) { background: #f2f3f4; }"""
 
 
 def main():
@@ -21,7 +21,7 @@ def main():
         page = Path(folder) / "page.html"
         page.write_text(f"<!doctype html><meta charset='utf-8'><style>{STYLE}</style>{loopmend.fill(loopmend.sample())._repr_html_()}",
                         encoding="utf-8")
-        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=800,640",
+        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=640,740",
                         f"--user-data-dir={folder}/settings", f"--screenshot={target}", page.as_uri()], check=True, stderr=subprocess.DEVNULL)
 
 
