@@ -6,6 +6,7 @@
 #   docs/math/irregular_boundaries.md, where PYTHON (default /usr/bin/python3) has NumPy
 #   docs/user/holes_and_options.md and the window's start page, where it has PyVista and Pillow
 #   docs/user/walkthrough.md, where it has pytest, PyVista and Matplotlib
+#   what a notebook shows (docs/user/first_hole.md), where it has NumPy, and Chromium is installed
 #   docs/user/gallery.md, where the shared scans are beside the repository
 # docs/make_comparisons.py makes those that show other programs, docs/user/window/make_pictures.sh those of the window.
 # Usage: docs/make_pictures.sh BUILD
@@ -39,6 +40,12 @@ if "$python" -c 'import numpy' 2>/dev/null; then
   "$python" "$docs/math/three_holes.py" "$program" "$docs/math/pictures"
 else
   echo "docs/math/pictures: left as they are, since $python lacks NumPy" >&2
+fi
+
+if "$python" -c 'import numpy' 2>/dev/null && command -v chromium >/dev/null; then
+  PYTHONPATH=$build/python "$python" "$docs/user/pictures/make_notebook.py" "$docs/user/pictures"
+else
+  echo "docs/user/pictures/notebook.png: left as it is, since $python lacks NumPy, or there is no Chromium" >&2
 fi
 
 if "$python" -c 'import matplotlib, pytest, pyvista' 2>/dev/null; then

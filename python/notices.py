@@ -65,7 +65,8 @@ def section(title, text):
 
 
 # Part of every system that a manylinux wheel runs on (PEP 599), and what packaging/make_wheels leaves out: no wheel contains them.
-NOT_CONTAINED = re.compile(r"(libc|libm|ld-linux.*|libpthread|libdl|librt|libz|libexpat|libstdc\+\+|libgcc_s|liblapack|libblas|libcrypto)[-.]")
+NOT_CONTAINED = re.compile(r"(libc|libm|ld-linux.*|libpthread|libdl|librt|libz|libexpat|libstdc\+\+|libgcc_s|liblapack|libblas|libgfortran"
+                           r"|libquadmath|libcrypto)[-.]")
 
 
 def notices(builds, module, contained):

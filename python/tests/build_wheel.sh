@@ -19,8 +19,10 @@ for file in loopmend/__init__.py loopmend/_core.pyi loopmend/py.typed loopmend/L
 done
 "$python" -c 'import sys, zipfile
 print(zipfile.ZipFile(sys.argv[1]).read("loopmend/THIRD_PARTY_NOTICES.txt").decode())' "$wheel" | "$here/check_notices.sh"
-if grep -qE '\.(h|a|cmake)$|^(bin|include|lib|share)/|libblas|liblapack' <<<"$files"; then
+if grep -qE '\.(h|a|cmake)$|^(bin|include|lib|share)/|libblas|liblapack|libgfortran' <<<"$files"; then
   echo "the wheel holds more than the package and its libraries:" >&2
   echo "$files" >&2
   exit 1
 fi
+megabytes=$(($(stat -c %s "$wheel") / 1000000))
+((megabytes < 10)) || { echo "the wheel has $megabytes MB: packaging/slim_openblas makes it less than 10" >&2; exit 1; }

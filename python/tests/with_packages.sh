@@ -17,6 +17,8 @@ if ! "$folder/bin/pip" install --quiet --disable-pip-version-check numpy pytest 
   echo "skipped: the packages are not to be had: $(tail -1 "$folder/log")" >&2
   exit 77
 fi
+# Large, and not for every Python: its test is skipped without it.
+"$folder/bin/pip" install --quiet --disable-pip-version-check open3d >>"$folder/log" 2>&1 || echo "Open3D is not to be had: $(tail -1 "$folder/log")"
 "$folder/bin/pip" install --quiet --disable-pip-version-check --no-deps --force-reinstall "$wheel"
 unset PYTHONPATH
 cd "$folder"

@@ -344,7 +344,7 @@ MODELS = {"pebble.ply": pebble_with_hole, "tiles.ply": tiles, "strays.ply": stra
 
 # ---- pictures ----
 
-# The picture, the files before and after, and the view.
+# The picture, the files before and after, the view, and the size where it is another one.
 PICTURES = [
     ("hole", "pebble.ply", "filled.ply", "--direction 0.3,-0.8,1.2"),
     ("tiles", "tiles.ply", "one_sheet.ply", "--direction 0.2,-1,1.4"),
@@ -353,7 +353,7 @@ PICTURES = [
     ("flat", "bust.ply", "bust_filled.ply", "--direction 0.3,-1,-0.5"),
     ("base", "mask.ply", "print.stl", "--direction 1.2,-0.7,0.4"),
     ("wall", "cup.ply", "cup_closed.ply", "--direction 0.3,-0.8,0.8"),
-    ("mirror", "head.ply", "head_filled.ply", "--direction 0.3,0.4,1"),
+    ("mirror", "head.ply", "head_filled.ply", "--direction 0.3,0.4,1 --size 1180x420"),  # wide: the ear beside the title
     ("rough", "stone.ply", "stone_filled.ply", "--direction 0.1,-0.3,1.2"),
     ("island", "island.ply", "joined.ply", "--direction 0.3,-0.8,1.2"),
     ("crossing", "crossing.ply", "uncrossed.ply", "--direction=-0.5,-0.5,1.2"),
@@ -394,7 +394,8 @@ def draw(program, target):
         for name in ("parts", "one_body"):
             half(run, folder, name)
         for picture, before, after, view in PICTURES:
-            run(f"loopmend render {before} {after} --color plain --size 1000x420 {view} "
+            size = "" if "--size" in view else "--size 1000x420"
+            run(f"loopmend render {before} {after} --color plain {size} {view} "
                 f"-o {Path(target).resolve() / f'case_{picture}.png'}")
 
 
