@@ -24,7 +24,7 @@ const Substitute substitutes[] = {
     {"a lower density needs fewer", QT_TRANSLATE_NOOP("Message", "a lower Density needs fewer")},
     {"a lower density may help", QT_TRANSLATE_NOOP("Message", "a lower Density may help")},
     {"stitching joins them", QT_TRANSLATE_NOOP("Message", "Stitch in the tab Patch joins them")},
-    {"welding their vertices would help",
+    {"--weld joins their vertices",
      QT_TRANSLATE_NOOP("Message", "Repair\u2026 in the tab Patch can join their vertices")},
     {"the polyhedron is no simple surface: edges with more than two faces, faces that meet at a vertex alone, or faces "
      "that are double or without area. Repair it first.",

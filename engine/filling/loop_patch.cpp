@@ -399,8 +399,7 @@ Message why_no_triangulation(const FillContext& context) {
   int without_length = 0;
   for (int i = 0; i < context.n; ++i) without_length += context.points[i] == context.points[(i + 1) % context.n];
   if (without_length > 0)
-    return joined(say("%1 edges of this loop have no length", without_length), "; ",
-                  say("welding their vertices would help"))
+    return joined(say("%1 edges of this loop have no length", without_length), "; ", say("--weld joins their vertices"))
         .with_code("edges_without_length");
   return say("no valid triangulation of this loop was found").with_code("no_triangulation");
 }
