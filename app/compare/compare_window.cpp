@@ -380,10 +380,11 @@ void CompareWindow::update_wait() {
     double left = 0;
     for (int k = 0; k < flow_comparison_.flow_runs(); ++k) {
       const ComparedRun& run = *flow_comparison_.flow_run(k);
-      if (run.steps > 0 && run.stage == ComparedRun::Stage::moving)
-        left = std::max(left, steps_left(run.steps) * seconds / run.steps);
+      // MCF takes up to the limit of steps, the others as many as a fill.
+      const bool is_alike = flow_comparison_.flow(k) != FlowKind::mcf && run.stage == ComparedRun::Stage::moving;
+      if (is_alike && run.steps > 0) left = std::max(left, steps_left(run.steps) * seconds / run.steps);
     }
-    const bool is_known = options().mode == EvolutionMode::steady && seconds > least_seconds_told;
+    const bool is_known = options().mode == EvolutionMode::steady && seconds > least_seconds_shown;
     if (is_known && left >= 1) words += QLatin1Char(' ') + labels::time_left(left);
   }
   wait_->setText(words);

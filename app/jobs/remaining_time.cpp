@@ -67,7 +67,7 @@ double share_of_preparing(RepairStage stage, double before) {
 
 std::optional<double> seconds_left(double seconds, double share) {
   constexpr double least_share = 0.05;
-  if (seconds < least_seconds_told || share < least_share || share >= 1) return std::nullopt;
+  if (seconds < least_seconds_shown || share < least_share || share >= 1) return std::nullopt;
   return seconds * (1 - share) / share;
 }
 

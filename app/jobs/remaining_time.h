@@ -35,6 +35,6 @@ double share_of_preparing(RepairStage stage, double before);
 std::optional<double> seconds_left(double seconds, double share);
 
 /// Less is not worth a line.
-inline constexpr double least_seconds_told = 3;
+inline constexpr double least_seconds_shown = 3;
 
 }  // namespace loopmend

@@ -98,7 +98,7 @@ void ProgressBox::estimate(std::optional<double> seconds) {
 
 /// Counts down between two reports; shows nothing at first, and once the estimate has run out.
 void ProgressBox::show_left() {
-  if (now_() - start_ < least_seconds_told) return left_->clear();
+  if (now_() - start_ < least_seconds_shown) return left_->clear();
   left_->setText(labels::time_left(seconds_left_ ? *seconds_left_ - (now_() - estimated_) : 0));
 }
 
