@@ -101,7 +101,8 @@ Plan plan_for(const EvolutionOptions& options, const Patch& patch) {
   plan.method = method_for(options, *plan.split, patch);
   if (plan.method == Method::robust_fairing) plan.bending = rough_bending;
   if (plan.method == Method::mixed_order) plan.bending = *options.bending;
-  if (plan.method == Method::flow || plan.method == Method::mixed_order) plan.objective.reach = energy_reach;
+  if (plan.method != Method::robust_fairing && plan.method != Method::linear_fairing)
+    plan.objective.reach = energy_reach;
   plan.objective.bending = plan.bending / (plan.radius * plan.radius);
   return plan;
 }
@@ -169,8 +170,12 @@ const std::vector<StepRecord>& Evolution::history() const { return impl_->patch.
 double Evolution::initial_energy() const { return impl_->patch.initial_energy; }
 double Evolution::energy() const { return impl_->patch.energy(); }
 Method Evolution::method() const {
-  const bool stayed = impl_->plan.method == Method::split_flow && impl_->patch.status == PatchStatus::faired;
-  return stayed ? Method::robust_fairing : impl_->plan.method;
+  const EvolvingPatch& patch = impl_->patch;
+  if (impl_->plan.method != Method::split_flow || !is_at_end(patch.status) || patch.history.empty() ||
+      patch.history.back().split.total() > 0)
+    return impl_->plan.method;
+  return patch.status == PatchStatus::faired ? Method::robust_fairing
+                                             : Method::flow;  // no step of the split came below
 }
 double Evolution::bending() const { return impl_->plan.bending; }
 const std::optional<SplitEstimate>& Evolution::split() const { return impl_->plan.split; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/split_descent.h"
 
+#include "evolution/multilevel.h"
+#include "evolution/robust_fairing.h"
 #include "evolution/stopwatch.h"
 
 #include <algorithm>
@@ -10,6 +12,9 @@ namespace loopmend {
 
 namespace {
 
+/// Height of relief and noise, in boundary edges, up to which the flow itself leads nearer than the fairings do: 3e-3 D
+/// against 1e-4 D on half a sphere, where the descent stops short. No difference on the mean of 945 cut holes.
+constexpr double nearly_exact = 1e-3;
 constexpr const char* descent_stalled_text =
     text_to_say("stopped early: no step lowers the energy of the split any further");
 
@@ -23,18 +28,23 @@ double largest_move(const Patch& before, const Points& after) {
 
 SplitDescent::SplitDescent(const EvolvingPatch& patch, const SplitEstimate& estimate, double radius)
     : estimate_(estimate) {
-  if (patch.options.start != SteadyStart::as_given) fairing_.emplace(patch, radius);
+  if (patch.options.start == SteadyStart::as_given) return;
+  if (estimate.is_exact(nearly_exact))
+    approach_ = std::make_unique<Multilevel>(patch, NearConvergence::cubic_fits);
+  else
+    approach_ = std::make_unique<RobustFairing>(patch, radius);
 }
 
-void SplitDescent::fair(EvolvingPatch& patch, const CancelToken& cancel) {
-  fairing_->step(patch, cancel);
-  if (patch.status != PatchStatus::faired) return;
-  fairing_.reset();
+void SplitDescent::approach(EvolvingPatch& patch, const CancelToken& cancel) {
+  approach_->step(patch, cancel);
+  if (patch.status == PatchStatus::ready || patch.status == PatchStatus::cancelled) return;
+  approach_.reset();
+  approached_ = {patch.status, patch.message};
   patch.stop(PatchStatus::ready);
 }
 
 void SplitDescent::step(EvolvingPatch& patch, const CancelToken& cancel) {
-  if (fairing_) return fair(patch, cancel);
+  if (approach_) return approach(patch, cancel);
   Stopwatch watch;
   if (!problem_) {
     problem_.emplace(patch.state.patch, estimate_, cancel);
@@ -61,6 +71,7 @@ void SplitDescent::end(EvolvingPatch& patch, SplitProblem::Outcome outcome) cons
   if (outcome == SplitProblem::Outcome::cancelled) return patch.stop(PatchStatus::cancelled, say("cancelled"));
   if (outcome == SplitProblem::Outcome::ended && steps_ > 0) return patch.stop(PatchStatus::early_stop);
   if (steps_ > 0 || patch.history.empty()) return patch.stop(PatchStatus::stalled, say(descent_stalled_text));
+  if (approached_.first != PatchStatus::faired) return patch.stop(approached_.first, approached_.second);
   patch.stop(PatchStatus::faired, say("no step of the flow came below its fairings, which were kept"));
 }
 

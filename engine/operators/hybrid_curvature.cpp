@@ -18,11 +18,13 @@ namespace {
 constexpr std::size_t fewest_neighbors = 15;  ///< below, a third ring is taken
 constexpr std::size_t most_samples = 22;      ///< the nearest, the vertex itself included
 constexpr double crease =
-    40 * std::numbers::pi / 180;  ///< between normals, at which a sample has lost 63 % of its weight
-constexpr int passes = 3;         ///< each but the last turns the fit's plane to its tangent plane
-constexpr double steepest = 2;    ///< slope to which it is turned
-constexpr double ridge = 1e-7;    ///< of the normal matrix, in units of its weights
-constexpr double most_bent = 9;   ///< times the mean of ‖A‖²: more is taken for noise
+    40 * std::numbers::pi / 180;      ///< between normals, at which a sample has lost 63 % of its weight
+constexpr int passes = 3;             ///< each but the last turns the fit's plane to its tangent plane
+constexpr double steepest = 2;        ///< slope to which it is turned
+constexpr double ridge = 1e-7;        ///< of the normal matrix, in units of its weights
+constexpr double least_pivot = 2e-6;  ///< likewise: below, the samples do not determine a cubic
+constexpr double spread = 0.4;        ///< least distance between samples that are chosen apart, over that to the vertex
+constexpr double most_bent = 9;       ///< times the mean of ‖A‖²: more is taken for noise
 constexpr int vertices_at_a_time = 16;
 
 /// Of the height fields: xᵃ yᵇ with these powers.
@@ -58,7 +60,15 @@ struct Place {
     choose_samples(points, neighbors);
     return width > 0;
   }
+  /// The nearest.
   void choose_samples(const Points& points, const std::vector<int>& neighbors);
+  /// The nearest that lie apart: around the pole of a globe the nearest lie all on one circle of latitude.
+  void spread_samples(const Points& points, const std::vector<int>& neighbors);
+  void set_width() {
+    double widest2 = 0;
+    for (const Sample& s : samples) widest2 = std::max(widest2, s.distance2);
+    width = std::sqrt(widest2);
+  }
   double weight(std::size_t k, const Points& normals) const {
     const double turn = std::acos(std::clamp(normals[samples[k].vertex].dot(normals[center]), -1.0, 1.0)) / crease;
     return std::exp(-3 * samples[k].distance2 / (width * width) - turn * turn * turn * turn);
@@ -83,9 +93,24 @@ void Place::choose_samples(const Points& points, const std::vector<int>& neighbo
     samples.resize(most_samples);
     std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.vertex < b.vertex; });
   }
-  double widest2 = 0;
-  for (const Sample& s : samples) widest2 = std::max(widest2, s.distance2);
-  width = std::sqrt(widest2);
+  set_width();
+}
+
+void Place::spread_samples(const Points& points, const std::vector<int>& neighbors) {
+  std::vector<Sample> near;
+  for (int j : neighbors) near.push_back({(points[j] - points[center]).squaredNorm(), j});
+  std::sort(near.begin(), near.end(), [](const Sample& a, const Sample& b) {
+    return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.vertex < b.vertex);
+  });
+  samples.clear();
+  for (const Sample& s : near) {
+    const bool apart = std::all_of(samples.begin(), samples.end(), [&](const Sample& other) {
+      return (points[s.vertex] - points[other.vertex]).squaredNorm() >= spread * spread * s.distance2;
+    });
+    if (apart) samples.push_back(s);
+    if (samples.size() == most_samples) break;
+  }
+  set_width();
 }
 
 /// The fits at two vertices side by side.
@@ -95,18 +120,23 @@ class Fitter {
   /// neighbor, or a position is not finite.
   void fit(int i, const Points& points, const Points& normals, const FitNeighbors& neighbors, std::vector<Fit>& fits) {
     const int count = std::min(lanes, static_cast<int>(points.size()) - i);
-    std::size_t most = 0;
-    for (int l = 0; l < lanes; ++l) {
-      places_[l].is_fitted = l < count && places_[l].begin(i + l, points, normals, neighbors[i + l]);
-      if (places_[l].is_fitted) most = std::max(most, places_[l].samples.size());
-    }
-    weight_.assign(most, Lanes::Zero());
-    offset_.assign(most, {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()});
     for (int l = 0; l < lanes; ++l)
-      if (places_[l].is_fitted) take_samples(l, points, normals);
-    for (int pass = 0; pass < passes; ++pass) {
+      places_[l].is_fitted = l < count && places_[l].begin(i + l, points, normals, neighbors[i + l]);
+    take_samples(points, normals);
+    solve();
+    bool others = false;
+    for (int l = 0; l < count; ++l) {
+      if (!places_[l].is_fitted || neighbors[i + l].size() <= most_samples || is_determined(l)) continue;
+      places_[l].spread_samples(points, neighbors[i + l]);
+      others = true;
+    }
+    if (others) {
+      take_samples(points, normals);
       solve();
-      if (pass + 1 < passes) turn();
+    }
+    for (int pass = 1; pass < passes; ++pass) {
+      turn();
+      solve();
     }
     for (int l = 0; l < count; ++l)
       if (places_[l].is_fitted)
@@ -114,7 +144,18 @@ class Fitter {
   }
 
  private:
+  bool is_determined(int lane) const { return normal_matrix_.least_pivot(lane) > least_pivot; }
+
   /// Samples that a vertex has fewer than the other count nothing.
+  void take_samples(const Points& points, const Points& normals) {
+    std::size_t most = 0;
+    for (const Place& place : places_)
+      if (place.is_fitted) most = std::max(most, place.samples.size());
+    weight_.assign(most, Lanes::Zero());
+    offset_.assign(most, {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()});
+    for (int l = 0; l < lanes; ++l)
+      if (places_[l].is_fitted) take_samples(l, points, normals);
+  }
   void take_samples(int lane, const Points& points, const Points& normals) {
     const Place& place = places_[lane];
     for (std::size_t k = 0; k < place.samples.size(); ++k) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -88,6 +89,13 @@ class SmallCholesky {
     for (const Number& inverse : inverse_)
       if (!(inverse[which] > 0 && std::isfinite(inverse[which]))) return false;
     return true;
+  }
+
+  /// Of this one of several matrices.
+  double least_pivot(int which) const {
+    double greatest = 0;
+    for (const Number& inverse : inverse_) greatest = std::max(greatest, static_cast<double>(inverse[which]));
+    return 1 / (greatest * greatest);
   }
 
   /// @param x  the right-hand side, then the solution; `size`
