@@ -6,6 +6,7 @@
 #include "solvers/diagonal.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace loopmend {
 
@@ -62,6 +63,13 @@ bool DampedStep::solve(const EvolvingPatch& patch, double mu, StepRecord& record
   curvature_.diagonal() = undamped;
   if (solved) s = solution;
   return solved;
+}
+
+double DampedStep::move(const EvolvingPatch& patch, double mu, const CancelToken& cancel) {
+  StepRecord record;
+  Eigen::VectorXd s;
+  if (!solve(patch, mu, record, s, cancel)) return std::numeric_limits<double>::infinity();
+  return s.cwiseAbs().maxCoeff() / patch.edge_length();
 }
 
 StepTrial DampedStep::attempt(EvolvingPatch& patch, double mu, double unit, Fits fits, StepRecord& record,

@@ -30,6 +30,8 @@ class DampedStep {
   /// @param fits  that the next state needs.
   StepTrial attempt(EvolvingPatch& patch, double mu, double unit, Fits fits, StepRecord& record,
                     const CancelToken& cancel);
+  /// Largest displacement of the whole step, in mean edge lengths; nothing is moved. Infinite where the matrix is singular.
+  double move(const EvolvingPatch& patch, double mu, const CancelToken& cancel);
 
  private:
   bool solve(const EvolvingPatch& patch, double mu, StepRecord& record, Eigen::VectorXd& s, const CancelToken& cancel);

@@ -17,10 +17,12 @@ namespace {
 
 constexpr int most_fairings = 6;
 constexpr double near_move = 1;  ///< in mean edge lengths: a smooth neighborhood is worth cubic fits from here
-constexpr double near_convergence_move = 0.05;  ///< in mean edge lengths
-constexpr double first_sigma = 500;             ///< of the first Gauss-Newton step
+constexpr double near_convergence_move = 0.05;              ///< in mean edge lengths
+constexpr double first_sigma = 500;                         ///< of the first Gauss-Newton step
+constexpr double no_damping = 1e-8, little_damping = 1e-3;  ///< of the slowest decay rate
 constexpr double converged_move =
-    5e-5;  ///< in patch radii: what such an undamped step leaves is a few hundredths of it
+    5e-5;                       ///< in patch radii: what such an undamped step leaves is a few hundredths of it
+constexpr double still = 4e-3;  ///< in patch radii: a step that no restart need make
 constexpr double stagnation_move = 1e-2;               ///< in mean edge lengths, with next to no fall of the energy:
 constexpr double stagnation_fall = 1e-4;               ///< relative, on average; the frozen fits lead no further down
 constexpr std::size_t most_stagnating_steps = 8;       ///< in a row
@@ -85,6 +87,7 @@ FairedPatch linearly_faired(const EvolvingPatch& from, const CancelToken& cancel
 SteadyState::SteadyState(const EvolvingPatch& patch, NearConvergence fits)
     : fits_(fits),
       fairings_left_(patch.history.empty() && patch.options.start != SteadyStart::as_given ? most_fairings : 0),
+      may_rest_(fairings_left_ == 0 && fits == NearConvergence::cubic_fits),
       start_measure_(patch.state.measure) {}
 
 bool SteadyState::near_convergence() const {
@@ -104,7 +107,22 @@ void SteadyState::step(EvolvingPatch& patch, const CancelToken& cancel) {
     if (fairing_step(patch, cancel) || patch.stop_if(cancel)) return;
     fairings_left_ = 0;
   }
+  if (std::exchange(may_rest_, false) && (rests_by_cubic_fits(patch, cancel) || patch.stop_if(cancel))) return;
   gauss_newton_step(patch, cancel);
+}
+
+/// A restart from where an evolution converged by cubic fits: quadratic ones have another steady state. @returns false if
+/// an undamped step by cubic fits moves something; then the state is as it was.
+bool SteadyState::rests_by_cubic_fits(EvolvingPatch& patch, const CancelToken& cancel) {
+  if (!find_unit(patch, cancel)) return false;
+  EvolvingPatch cubic = patch;
+  cubic.stencil = Stencil::two_ring_cubic;
+  cubic.state = make_state(patch.state.patch, patch.objective, cubic.stencil, patch.state.topology, Fits::curvatures);
+  if (!stands_still(cubic, cancel) || cancel.cancelled()) return false;
+  patch = std::move(cubic);
+  if (patch.history.empty()) patch.initial_energy = patch.energy();
+  patch.stop(PatchStatus::converged);
+  return true;
 }
 
 /// A linear fairing instead of a Gauss-Newton step, while it pays: from its result large openings are reached too.
@@ -168,20 +186,30 @@ bool SteadyState::use_cubic_fits(EvolvingPatch& patch) {
   return true;
 }
 
+/// Whether the whole step of Gauss-Newton, which a restart would begin with, goes nowhere.
+bool SteadyState::stands_still(EvolvingPatch patch, const CancelToken& cancel) {
+  add_weights(patch.state, patch.objective, patch.stencil);
+  const double move = DampedStep(patch, solver_).move(patch, no_damping * unit_, cancel);
+  return move < std::max(stagnation_move, still * patch_radius(patch.state.patch) / patch.edge_length());
+}
+
 /// Steps move nothing any more. Undamped ones say by that that this is the minimum, which only more accurate fits can still
 /// refine; damped ones only that the damping holds them: then an undamped one is tried, once.
 /// @returns false if that is to come.
-bool SteadyState::at_rest(EvolvingPatch& patch, bool undamped) {
+bool SteadyState::at_rest(EvolvingPatch& patch, bool undamped, const CancelToken& cancel) {
   if (!undamped && std::exchange(undamped_left_, false)) {
     mu_ = unit_ / 2;
     tiny_steps_ = 0;
     small_steps_.clear();
     return false;
   }
-  if (!undamped)
-    patch.stop(PatchStatus::stalled, say(damped_text));
-  else if (!use_cubic_fits(patch))
+  if (undamped && use_cubic_fits(patch)) return true;
+  const bool converged = undamped && (mu_ <= little_damping * unit_ || stands_still(patch, cancel));
+  if (patch.stop_if(cancel)) return true;
+  if (converged)
     patch.stop(PatchStatus::converged);
+  else
+    patch.stop(PatchStatus::stalled, say(damped_text));
   return true;
 }
 
@@ -199,7 +227,7 @@ bool SteadyState::stagnates(const EvolvingPatch& patch, double move, double ener
 }
 
 /// Outcome of an accepted step of Gauss-Newton: converged, stagnating, or the next one follows.
-void SteadyState::after_step(EvolvingPatch& patch, int rejections, double energy_before) {
+void SteadyState::after_step(EvolvingPatch& patch, int rejections, double energy_before, const CancelToken& cancel) {
   const double move = patch.history.back().max_move;
   const bool undamped = is_undamped(), at_once = undamped && rejections == 0;
   // Gauss-Newton steps shrink ever faster: two undamped ones tell how far the next would go.
@@ -210,9 +238,9 @@ void SteadyState::after_step(EvolvingPatch& patch, int rejections, double energy
       std::max(0.1 * small_move, converged_move * patch_radius(patch.state.patch) / patch.edge_length());
   const bool tiny = move < settled || next_tiny;
   tiny_steps_ = tiny ? tiny_steps_ + 1 : 0;
-  mu_ = std::max(0.2 * mu_, 1e-8 * unit_);
+  mu_ = std::max(0.2 * mu_, no_damping * unit_);
   if ((tiny && (undamped || tiny_steps_ >= 3)) || stagnates(patch, move, energy_before)) {
-    at_rest(patch, undamped);
+    at_rest(patch, undamped, cancel);
     return;
   }
   if (move < near_move && use_cubic_fits(patch)) return;
@@ -232,13 +260,18 @@ double damping_unit_of(const EvolvingPatch& patch, const CancelToken& cancel) {
 
 }  // namespace
 
+/// @returns false if cancelled.
+bool SteadyState::find_unit(EvolvingPatch& patch, const CancelToken& cancel) {
+  if (unit_ != 0) return true;
+  const double unit = damping_unit_of(patch, cancel);
+  if (patch.stop_if(cancel)) return false;
+  unit_ = unit;
+  return true;
+}
+
 void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& cancel) {
   Stopwatch watch;
-  if (unit_ == 0) {
-    const double unit = damping_unit_of(patch, cancel);
-    if (patch.stop_if(cancel)) return;
-    unit_ = unit;
-  }
+  if (!find_unit(patch, cancel)) return;
   if (!(mu_ > 0)) mu_ = unit_ / (2 * first_sigma);
   add_weights(patch.state, patch.objective, patch.stencil);
   DampedStep damped(patch, solver_);
@@ -254,14 +287,14 @@ void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& can
     // Near convergence the next step is probably the last.
     const Fits fits = near_convergence() ? Fits::curvatures : Fits::operators;
     const StepTrial trial = damped.attempt(patch, mu_, unit_, fits, record, cancel);
-    if (trial.accepted) return after_step(patch, record.rejections, energy_before);
+    if (trial.accepted) return after_step(patch, record.rejections, energy_before, cancel);
     if (first) predicted = trial.predicted_reduction;
     ++record.rejections;
     if (trial.move > 0 && trial.move < small_move) {
       // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
       const bool at_minimum = first || predicted < 1e-2 * energy_before || predicted < 1e-6 * start_measure_;
       if (!at_minimum) return patch.stop(PatchStatus::stalled, say(stalled_text));
-      if (at_rest(patch, undamped)) return;
+      if (at_rest(patch, undamped, cancel)) return;
       undamped = first = true;
       continue;
     }

@@ -29,15 +29,19 @@ class SteadyState : public Stepper {
  private:
   bool fairing_step(EvolvingPatch& patch, const CancelToken& cancel);
   bool use_cubic_fits(EvolvingPatch& patch);
+  bool rests_by_cubic_fits(EvolvingPatch& patch, const CancelToken& cancel);
+  bool find_unit(EvolvingPatch& patch, const CancelToken& cancel);
   void gauss_newton_step(EvolvingPatch& patch, const CancelToken& cancel);
-  void after_step(EvolvingPatch& patch, int rejections, double energy_before);
+  void after_step(EvolvingPatch& patch, int rejections, double energy_before, const CancelToken& cancel);
   bool stagnates(const EvolvingPatch& patch, double move, double energy_before);
-  bool at_rest(EvolvingPatch& patch, bool undamped);
+  bool at_rest(EvolvingPatch& patch, bool undamped, const CancelToken& cancel);
+  bool stands_still(EvolvingPatch patch, const CancelToken& cancel);
   bool is_undamped() const { return mu_ <= unit_; }
 
   NearConvergence fits_;
   std::optional<EvolutionState> cubic_start_;  ///< the start by cubic fits, once it is known; without weights
   int fairings_left_;
+  bool may_rest_;  ///< the start may be a steady state by cubic fits, from an evolution before
   double start_measure_;
   double unit_ = 0;                 ///< of mu_: about the slowest decay rate; 0 before the first Gauss-Newton step
   double mu_ = 0;                   ///< damping of the next step
