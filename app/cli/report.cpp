@@ -120,12 +120,25 @@ Json mirror_json(const MirrorFit& fit) {
             {"misfit", json_number(fit.plane.misfit)}}}};
 }
 
+/// Share of the energy that a step took away; null where it is not known before the step.
+Json decrease_json(double before, double after) { return before > 0 ? json_number((before - after) / before) : Json(); }
+
 /// J of the split and its last relative decrease; null where the patch was not made by a descent of J.
 Json split_energy_json(const std::vector<StepRecord>& history) {
   if (history.empty() || !(history.back().split.total() > 0)) return nullptr;
   const double last = history.back().split.total();
   const double before = history.size() > 1 ? history[history.size() - 2].split.total() : 0;
-  return {{"J", json_number(last)}, {"last_decrease", before > 0 ? json_number((before - last) / before) : Json()}};
+  return {{"J", json_number(last)}, {"last_decrease", decrease_json(before, last)}};
+}
+
+/// The last decrease is that of the flow's own steps: fairings and the split lower something else.
+Json energy_json(const PatchResult& result) {
+  const std::vector<StepRecord>& history = result.history;
+  const auto of_flow = [](const StepRecord& step) { return step.sigma > 0 && !(step.split.total() > 0); };
+  const bool known = history.size() > 1 && of_flow(history.back()) && of_flow(history[history.size() - 2]);
+  return {{"initial", json_number(result.energy.initial)},
+          {"final", json_number(result.energy.final)},
+          {"last_decrease", known ? decrease_json(history[history.size() - 2].energy, history.back().energy) : Json()}};
 }
 
 }  // namespace
@@ -164,7 +177,7 @@ Json loop_json(const HoleResult& result) {
                      {"expected_deviation", patch.seconds.deviation},
                      {"other", patch.seconds.other()},
                      {"total", result.seconds}};
-  json["energy"] = {{"initial", json_number(patch.energy.initial)}, {"final", json_number(patch.energy.final)}};
+  json["energy"] = energy_json(patch);
   json["split_energy"] = split_energy_json(patch.history);
   json["seam_before"] = seam_json(result.seam_before());
   json["seam_after"] = seam_json(result.seam_after());
@@ -196,7 +209,7 @@ Json patch_json(const PatchResult& result) {
           {"free_vertices", result.patch.free_count},
           {"steps", result.steps},
           {"bending", result.bending},
-          {"energy", {{"initial", json_number(result.energy.initial)}, {"final", json_number(result.energy.final)}}},
+          {"energy", energy_json(result)},
           {"seconds", {{"assemble", result.seconds.assemble}, {"solve", result.seconds.solve}}},
           {"folds", result.validity.folds},
           {"self_intersections", result.validity.intersections},
