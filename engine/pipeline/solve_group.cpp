@@ -223,8 +223,9 @@ class GroupSolver {
         continue;
       }
       hole->status = patch->status;
-      // Drop the initial patch's warning of folds once these are gone.
-      if (patch->status != PatchStatus::filled || !patch->message.empty() || patch->validity.is_clean())
+      // Drop the initial patch's warning of folds where these are gone, or are the corner between wall and cut.
+      if (patch->status != PatchStatus::filled || !patch->message.empty() ||
+          !has(hole->verdict(), NoticeCode::folded_edges))
         hole->message = patch->message;
     }
     return result;
@@ -236,10 +237,13 @@ class GroupSolver {
            (worst(made.verdicts) == Grade::bad && validate(scan_, *initial.patch).intersections > 0);
   }
 
+  static bool has(const Verdict& verdict, NoticeCode code) {
+    return std::ranges::count(verdict.findings, code, &Notice::code) > 0;
+  }
+
   static bool has_rounded_edges(const PatchResult& made) {
-    return std::ranges::any_of(made.verdicts, [](const Verdict& verdict) {
-      return std::ranges::count(verdict.findings, NoticeCode::edges_rounded, &Notice::code) > 0;
-    });
+    return std::ranges::any_of(made.verdicts,
+                               [](const Verdict& verdict) { return has(verdict, NoticeCode::edges_rounded); });
   }
 
   /// Of a loop whose every patch cuts the surface, or that of its sharp edges does: once more from an initial patch that does not. Where there is none, or
