@@ -27,8 +27,7 @@ namespace loopmend {
 
 namespace {
 
-/// A boundary whose geodesic curvature is above this share of 2π bounds a sheet. A ball of which less than a fifth is left
-/// (opening angle over 127°) is a sheet too; the end of a tube (0) and a hole (−1) are not. A small loop that turns so is a
+/// A boundary whose geodesic curvature is above this share of 2π bounds a sheet. The end of a tube (0) and a hole (−1) are not. A small loop that turns so is a
 /// hole at the tip of something.
 constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
 /// So does a boundary that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
@@ -45,6 +44,8 @@ constexpr double noisy_plane_cut = 0.03, onward_at_cut = 0.5;
 constexpr double widest_slot = 0.5;
 /// Sides of a bent slot are so near to each other along four fifths of it, in perimeters, and so far from each other along the loop.
 constexpr double near_sides = 1.0 / 60, far_along = 1.0 / 20, share_of_sides = 0.8;
+/// An exact sphere (rms distance in radii; of coordinates in single precision 1e-7) of which more than a cap of 45° is left is no sheet.
+constexpr double on_sphere = 1e-4, sphere_depth = 0.2;
 constexpr std::size_t most_places = 100;  ///< of a loop, from which its other side is sought
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
@@ -197,16 +198,42 @@ bool is_cut_off(const BoundaryLoop& loop) {
 }
 
 bool turns_like_a_sheet(const BoundaryLoop& loop) {
-  return loop.turning > outer_rim_turning && loop.extent > least_extent_of_a_turn && !is_cut_off(loop);
+  return loop.turning > outer_rim_turning && loop.extent > least_extent_of_a_turn && !is_cut_off(loop) &&
+         !loop.on_sphere;
 }
 
 bool runs_round_a_sheet(const BoundaryLoop& loop) {
   const bool is_slot = loop.turning < 0 && loop.width < widest_slot * loop.diameter;
   const double across = is_slot ? loop.width : loop.diameter;
-  return loop.extent > whole_extent && loop.depth * loop.diameter < sheet_depth * across && loop.onward < straight_on;
+  return !loop.on_sphere && loop.extent > whole_extent && loop.depth * loop.diameter < sheet_depth * across &&
+         loop.onward < straight_on;
 }
 
-/// Fills onward, extent and depth. The last is measured only where it may matter.
+/// The sphere ‖p‖² = 2⟨c, p⟩ + d nearest to some points, by least squares of this equation.
+class SphereSums {
+ public:
+  void add(const Vec3& p) {
+    const Eigen::Vector4d row(2 * p.x(), 2 * p.y(), 2 * p.z(), 1);
+    A_ += row * row.transpose();
+    b_ += row * p.squaredNorm();
+    squares_ += p.squaredNorm() * p.squaredNorm();
+    ++count_;
+  }
+  /// rms distance of the points from the sphere, in its radius.
+  double misfit() const {
+    const Eigen::Vector4d x = A_.ldlt().solve(b_);
+    const double radius2 = x.head<3>().squaredNorm() + x[3];
+    return std::sqrt(std::max(0.0, squares_ - b_.dot(x)) / count_) / (2 * radius2);
+  }
+
+ private:
+  Eigen::Matrix4d A_ = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d b_ = Eigen::Vector4d::Zero();
+  double squares_ = 0;
+  int count_ = 0;
+};
+
+/// Fills onward, extent, depth and on_sphere. The last two are measured only where they may matter.
 void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std::vector<BoundaryLoop>& loops) {
   std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>>
       at_piece;  // loops whose depth is asked for, and their axes
@@ -221,12 +248,19 @@ void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std:
     if (loop.extent > whole_extent && loop.diameter > 0) at_piece[piece].emplace_back(&loop, facing.axis);
   }
   if (at_piece.empty()) return;
+  std::map<const BoundaryLoop*, SphereSums> spheres;
   pieces.for_each_point([&](int piece, const Vec3& point) {
     const auto asked = at_piece.find(piece);
     if (asked == at_piece.end()) return;
-    for (const auto& [loop, axis] : asked->second)
-      loop->depth = std::max(loop->depth, std::abs(axis.dot(point - loop->center)) / loop->diameter);
+    for (const auto& [loop, axis] : asked->second) {
+      const Vec3 place = (point - loop->center) / loop->diameter;
+      loop->depth = std::max(loop->depth, std::abs(axis.dot(place)));
+      spheres[loop].add(place);
+    }
   });
+  for (const auto& [piece, asked] : at_piece)
+    for (const auto& [loop, axis] : asked)
+      loop->on_sphere = loop->depth > sphere_depth && spheres.at(loop).misfit() < on_sphere;
 }
 
 /// Loops of three edges whose triangle lies at the same place already, on another sheet.

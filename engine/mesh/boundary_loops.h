@@ -38,6 +38,7 @@ struct BoundaryLoop {
   double extent = 0;           ///< diagonal of the loop's box divided by that of its piece of surface
   double depth =
       0;  ///< reach of its piece from the loop's plane, in diameters; 0 where the extent rules an outline out
+  bool on_sphere = false;  ///< its piece is a part of an exact sphere, deeper than a lens or a dish
   double onward = 0;       ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
   int coincident = 0;      ///< edges that lie exactly on another boundary edge, of this loop or another
   bool one_sided = false;  ///< cut only since the surface has one side, as a Möbius strip: at edges of two faces
@@ -51,7 +52,8 @@ struct BoundaryLoop {
   int edges() const { return static_cast<int>(vertices.size()); }
 };
 
-/// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says.
+/// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says. Of an exact sphere what
+/// is missing is known, so that its opening is a hole.
 bool is_shaped_like_a_hole(const BoundaryLoop& loop);
 
 /// Why it is an outer rim and no hole, without a full stop; empty for other kinds.

@@ -297,9 +297,9 @@ TEST(BoundaryLoops, ThePlaneEndOfABellIsAHole) {
 
 TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   const auto cap = [](double height) {
-    return find_boundary_loops(
-               make_surface_model(cut(make_icosphere(4), [=](const Vec3& p) { return p.z() < height; })))
-        .at(0);
+    TriangleSoup soup = cut(make_icosphere(4), [=](const Vec3& p) { return p.z() < height; });
+    for (Vec3& p : soup.points) p.x() *= 1.03;  // no sphere
+    return find_boundary_loops(make_surface_model(soup)).at(0);
   };
   const BoundaryLoop mask = cap(0.5);
   EXPECT_LT(mask.turning, 0.6);  // not what tells it from a hole
@@ -309,6 +309,21 @@ TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   EXPECT_EQ(cap(-0.1).kind, LoopKind::hole);
   EXPECT_EQ(cap(-0.5).kind, LoopKind::hole);
   EXPECT_TRUE(why_outer_rim(cap(-0.5)).empty());
+}
+
+/// Of a sphere what is missing is known, but 40° of one may be a lens, and one that is measured a dish.
+TEST(BoundaryLoops, TheOpeningOfASphereIsAHole) {
+  const auto kind_of_cap = [](double degrees, double noise) {
+    const double height = std::cos(degrees * std::numbers::pi / 180);
+    TriangleSoup soup = trim_boundaries(cut(make_icosphere(5), [=](const Vec3& p) { return p.z() < height; }));
+    Random random(5);
+    for (Vec3& p : soup.points)
+      p = (300 * (1 + noise * random.bell()) * p + Vec3(1e4, 0, 0)).cast<float>().cast<double>();
+    return find_boundary_loops(make_surface_model(soup)).at(0).kind;
+  };
+  for (const double degrees : {50, 60, 80, 100}) EXPECT_EQ(kind_of_cap(degrees, 0), LoopKind::hole) << degrees;
+  EXPECT_EQ(kind_of_cap(40, 0), LoopKind::outer_rim);
+  EXPECT_EQ(kind_of_cap(60, 1e-3), LoopKind::outer_rim);
 }
 
 /// Its outline is nearly plane, and the hill reaches far from there.
