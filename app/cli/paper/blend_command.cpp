@@ -12,7 +12,7 @@
 #include "core/version.h"
 #include "pipeline/blend.h"
 #include "pipeline/continue_attributes.h"
-#include "pipeline/rim_pairs.h"
+#include "pipeline/rim_groups.h"
 
 #include <algorithm>
 #include <chrono>
@@ -111,7 +111,7 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
 /// What to do where no surface joins the loops.
 std::string next_step(const OpenedParts& parts, const std::vector<NamedLoop>& loops) {
   if (parts.paths.size() == 1 && loops.size() == 2)
-    if (const std::optional<RimPair> gap = find_gap(parts.joined.model, loops[0].loop, loops[1].loop))
+    if (const std::optional<RimGroup> gap = find_gap(parts.joined.model, loops[0].loop, loops[1].loop))
       return gap_cure(*gap).english();
   return "name other loops (--loops), or close each by itself ('loopmend fill')";
 }
