@@ -7,7 +7,6 @@
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/filling_view.h"
-#include "repair/shells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,26 +181,6 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
   }
 }
 
-/// Of the larger shells that lie in the box of no other. What lies in another one may be a cavity: to tell takes long, and `info` does.
-InvertedShells inverted_outer_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  constexpr double least_size = 0.05;  // of the largest
-  constexpr double margin = 0.05;      // of the other box: the inner wall of a cup ends at its height
-  const Shells found = find_shells(model, loops);
-  double largest = 0;
-  for (const Shell& shell : found.all) largest = std::max(largest, shell.box.diagonal().norm());
-  InvertedShells result;
-  for (const Shell& shell : found.all) {
-    if (!shell.is_certain() || shell.volume > 0 || shell.box.diagonal().norm() < least_size * largest) continue;
-    const bool is_within = std::any_of(found.all.begin(), found.all.end(), [&](const Shell& other) {
-      const Vec3 wider = Vec3::Constant(margin * other.box.diagonal().norm());
-      return &other != &shell && !other.box.isEmpty() && other.area > shell.area &&
-             Eigen::AlignedBox3d(other.box.min() - wider, other.box.max() + wider).contains(shell.box);
-    });
-    if (!is_within) ++(shell.is_nearly_closed() ? result.closed : result.open);
-  }
-  return result;
-}
-
 /// Outlines that are left, of which --stitch would close a tenth or more.
 std::size_t count_abutting(const ScanPlan& plan) {
   std::size_t count = 0;
@@ -314,7 +293,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     plan.choices = choose_loops(plan.model, plan.loops, job.loops);
   }
   check_shapes(plan, job);
-  plan.inverted = inverted_outer_shells(plan.model, plan.loops);
+  plan.inverted = find_inverted_shells(plan.model, plan.loops);
   // Only where commands find the same loops in the file.
   if (job.numbering == ScanJob::Numbering::of_source && plan.done.changed_nothing())
     plan.rim_groups = find_rim_groups(plan.model, plan.loops, cancel);
