@@ -407,8 +407,8 @@ std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::v
                                          const CancelToken& cancel) {
   constexpr int fewest_edges_of_a_bore = 8;
   constexpr double shortest_onward = 0.5;  // of walls that are steep along most of the loop
-  constexpr double coarse = 0.25;          // density that is tried first: enough for even rims
-  constexpr int few_edges = 1000;          // of a group: a ring as blend makes it takes no second
+  constexpr double coarse = 0.25;  // density: whether there is a ring depends on it at noisy rims of many bores alone
+  constexpr int few_edges = 1000;  // of a group: a ring as blend makes it takes no second
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
   const auto may_end = [&](std::size_t k) {
     const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
@@ -437,7 +437,7 @@ std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::v
       edges += members.back().edges();
     }
     return ring_between(model, members, coarse, cancel) ||
-           (edges <= few_edges && ring_between(model, members, 1, cancel));
+           (ring.size() > 2 && edges <= few_edges && ring_between(model, members, 1, cancel));
   };
   std::vector<std::vector<int>> rings;
   std::set<int> seen;
