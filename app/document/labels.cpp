@@ -272,6 +272,8 @@ QString notice(const Notice& notice) {
       return tr("mean curvature jumps at the seam by %1 / diameter, before the flow by %2").arg(digits(0), digits(1));
     case NoticeCode::initial_patch_kept: return tr("no flow or fairing gave a sound patch: the initial patch was kept");
     case NoticeCode::edges_rounded: return tr("sharp edges of the scan end here, and the patch rounds them");
+    case NoticeCode::wall_ends:
+      return tr("a wall ends here and at another loop, and a ring between them is more likely than this patch");
     case NoticeCode::crease: return tr("a crease of %1\u00b0 along %2 edges of the seam").arg(whole(0), whole(1));
     case NoticeCode::bent_inside:
       return tr("edges inside the patch bend by %1\u00b0 along %2 diameters").arg(whole(0), digits(1));

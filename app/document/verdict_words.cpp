@@ -32,6 +32,7 @@ QString advice(const Verdict& verdict) {
       return tr("Trim the boundary and fill it again, or take one of Other patches (V).");
     case NoticeCode::bubble: return tr("Take one of Other patches (V), or part the hole by a bridge (G).");
     case NoticeCode::edges_rounded:
+    case NoticeCode::wall_ends:
     case NoticeCode::flat_or_dome:
     case NoticeCode::bent_inside:
     case NoticeCode::high_over_loop:

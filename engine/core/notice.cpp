@@ -36,6 +36,7 @@ const char* to_string(NoticeCode code) {
     case NoticeCode::curvature_torn: return "curvature_torn";
     case NoticeCode::initial_patch_kept: return "initial_patch_kept";
     case NoticeCode::edges_rounded: return "edges_rounded";
+    case NoticeCode::wall_ends: return "wall_ends";
     case NoticeCode::crease: return "crease";
     case NoticeCode::bent_inside: return "bent_inside";
     case NoticeCode::seam_worse: return "seam_worse";
@@ -82,6 +83,8 @@ Message sentence(const Notice& notice) {
     case NoticeCode::initial_patch_kept:
       return say("no flow or fairing gave a sound patch: the initial patch was kept");
     case NoticeCode::edges_rounded: return say("sharp edges of the scan end here, and the patch rounds them");
+    case NoticeCode::wall_ends:
+      return say("a wall ends here and at another loop, and a ring between them is more likely than this patch");
     case NoticeCode::crease:
       return std::lround(number(1)) == 1 ? say("a crease of %1° along 1 edge of the seam", whole)
                                          : say("a crease of %1° along %2 edges of the seam", whole, rounded(number(1)));

@@ -22,6 +22,7 @@ enum class NoticeCode {
   curvature_torn,       ///< jump of H × diameter, the same before
   initial_patch_kept,   ///< none
   edges_rounded,        ///< sharp edges end at the loop, and the patch does not continue them. none
+  wall_ends,            ///< a wall ends at this loop and at another one, and the patch closes this one alone. none
   crease,               ///< bend of the seam edges, number of these
   bent_inside,          ///< mean bend of edges inside the patch, their length in loop diameters
   seam_worse,           ///< rms angle at the seam, the same in the initial patch

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -24,7 +25,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr int bridge_remesh_rounds = 5;
+constexpr int bridge_remesh_rounds = 5, untangling_rounds = 3;
 constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart
 constexpr int fairing_rounds = 4;
 /// A fairing that takes so many times the area is a bubble: it would be remeshed into millions of triangles. Those of 64 blends and of
@@ -203,7 +204,8 @@ Patch remeshed(Patch bridge, const CancelToken& cancel) {
   try_phase(bridge, [&](ConstrainedRemesher& mesh) {
     for (int k = 0; k < bridge_remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
   });
-  for (int attempt = 0; attempt < 3 && defect_count(patch_validity(bridge)) > 0 && !cancel.cancelled(); ++attempt)
+  for (int attempt = 0; attempt < untangling_rounds && defect_count(patch_validity(bridge)) > 0 && !cancel.cancelled();
+       ++attempt)
     try_phase(bridge, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
       remesh_once(mesh);
@@ -296,9 +298,15 @@ std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector
   Vec3 center = Vec3::Zero();
   for (const BoundaryLoop& loop : loops) center += loop.center / static_cast<double>(loops.size());
   std::vector<int> opposed;
-  if (loops.size() == 2 &&
-      (are_walls_of_a_ring(ends[0], ends[1]) || are_outlines_of_a_plate(loops[0], loops[1], ends[0], ends[1]))) {
-    // Seen along the walls, the outer loop runs round one way, the inner the other way; so do both outlines of a plate.
+  if (const std::optional<std::size_t> outline = outline_of_a_ring(ends)) {
+    // Seen along the walls, the outer loop runs round one way, the inner ones the other way.
+    for (std::size_t k = 1; k < ends.size(); ++k)
+      if ((ends[0].axis.dot(ends[k].axis) < 0) != (*outline == 0 || *outline == k))
+        opposed.push_back(static_cast<int>(k));
+    return opposed;
+  }
+  if (loops.size() == 2 && are_outlines_of_a_plate(loops[0], loops[1], ends[0], ends[1])) {
+    // So do both outlines of a plate.
     if (ends[0].axis.dot(ends[1].axis) > 0) opposed.push_back(1);
     return opposed;
   }
@@ -333,10 +341,11 @@ std::optional<Bridge> wall_between(const SurfaceModel& model, const std::vector<
 
 std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
                                    const CancelToken& cancel) {
-  if (loops.size() != 2) return std::nullopt;
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
-  if (have_a_wall_between(loops[0], loops[1], ends[0], ends[1])) return wall_between(model, loops, ends, density);
-  if (!are_walls_of_a_ring(ends[0], ends[1]) || bend_towards_each_other(model, loops, ends)) return std::nullopt;
+  const bool is_pair = loops.size() == 2;
+  if (is_pair && have_a_wall_between(loops[0], loops[1], ends[0], ends[1]))
+    return wall_between(model, loops, ends, density);
+  if (!outline_of_a_ring(ends) || (is_pair && bend_towards_each_other(model, loops, ends))) return std::nullopt;
   const Patch empty = empty_patch(model, loops);
   for (const SweptBridge& bridge : bridges_by_ring(ends, mean_boundary_edge(ends) / density)) {
     if (DirectedEdges(bridge.triangles, static_cast<int>(bridge.triangles.size())).any_twice()) continue;
@@ -346,18 +355,60 @@ std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<
     if (bridge.points.empty()) {
       ConstrainedRemesher mesh = open_for_remeshing(ring);
       for (int k = 0; k < bridge_remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
-      if (Patch next = with_interior(ring, mesh); is_sound_ring(next)) ring = std::move(next);
+      Patch next = with_interior(ring, mesh);
+      for (int attempt = 0; attempt < untangling_rounds && !is_sound_ring(next) && !cancel.cancelled(); ++attempt) {
+        mesh.untangle();
+        remesh_once(mesh);
+        next = with_interior(ring, mesh);
+      }
+      if (is_sound_ring(next)) ring = std::move(next);
     }
     if (is_sound_ring(ring)) return Bridge{ring, ring, patch_validity(ring), Bridge::Kind::ring};
   }
   return std::nullopt;
 }
 
-std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                            const CancelToken& cancel) {
+namespace {
+
+/// Two loops that a ring or a wall may join.
+struct RingSides {
+  double width;
+  int i, j;
+  std::optional<std::size_t> outline;  ///< of a ring: 0 for i, 1 for j
+
+  int outer() const { return *outline == 0 ? i : j; }
+  int inner() const { return *outline == 0 ? j : i; }
+};
+
+/// The outline of a block and the rims of two bores or more, all of one missing face: the loops beside each other within each outline.
+std::vector<std::vector<int>> groups_with_bores(const std::vector<BridgeEnd>& ends,
+                                                const std::vector<RingSides>& pairs) {
+  std::map<int, std::set<int>> within;
+  for (const RingSides& pair : pairs)
+    if (pair.outline && ends[pair.outer()].axis.dot(ends[pair.inner()].axis) < 0)
+      within[pair.outer()].insert(pair.inner());
+  std::vector<std::vector<int>> groups;
+  for (const auto& [outer, inner] : within) {
+    std::vector<int> group{outer};
+    for (const int k : inner)
+      if (std::ranges::none_of(pairs, [&](const RingSides& pair) {
+            return pair.outline && pair.inner() == k && inner.contains(pair.outer());
+          }))
+        group.push_back(k);
+    std::ranges::sort(group);
+    if (group.size() > 2) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                         const CancelToken& cancel) {
   constexpr int fewest_edges_of_a_bore = 8;
   constexpr double shortest_onward = 0.5;  // of walls that are steep along most of the loop
-  constexpr double coarse = 0.25;          // density: whether there is a ring does not depend on it
+  constexpr double coarse = 0.25;  // density: whether there is a ring depends on it at noisy rims of many bores alone
+  constexpr int few_edges = 1000;  // of a group: a ring as blend makes it takes no second
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
   const auto may_end = [&](std::size_t k) {
     const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
@@ -365,23 +416,40 @@ std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std
            (ends[k].onward.norm() > shortest_onward || loops[k].kind == LoopKind::outer_rim ||
             loops[k].edges() >= fewest_edges_of_a_bore);
   };
-  std::vector<std::tuple<double, int, int>> pairs;
+  std::vector<RingSides> pairs;
   for (std::size_t i = 0; i < loops.size(); ++i)
     for (std::size_t j = i + 1; may_end(i) && j < loops.size(); ++j) {
       const double apart = (loops[i].center - loops[j].center).norm();
-      const bool near = apart < std::max(loops[i].diameter, loops[j].diameter);
-      if (near && may_end(j) &&
-          ((ends[i].onward.norm() > shortest_onward && ends[j].onward.norm() > shortest_onward &&
-            are_walls_of_a_ring(ends[i], ends[j])) ||
-           have_a_wall_between(loops[i], loops[j], ends[i], ends[j])))
-        pairs.emplace_back(apart + std::abs(loops[i].diameter - loops[j].diameter) / 2, i, j);
+      if (apart >= std::max(loops[i].diameter, loops[j].diameter) || !may_end(j)) continue;
+      std::optional<std::size_t> outline;
+      if (ends[i].onward.norm() > shortest_onward && ends[j].onward.norm() > shortest_onward)
+        outline = outline_of_a_ring({ends[i], ends[j]});
+      if (outline || have_a_wall_between(loops[i], loops[j], ends[i], ends[j]))
+        pairs.push_back({apart + std::abs(loops[i].diameter - loops[j].diameter) / 2, static_cast<int>(i),
+                         static_cast<int>(j), outline});
     }
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<std::pair<int, int>> rings;
+  std::ranges::sort(pairs, {}, [](const RingSides& pair) { return std::tuple(pair.width, pair.i, pair.j); });
+  const auto are_joined = [&](const std::vector<int>& ring) {
+    std::vector<BoundaryLoop> members;
+    int edges = 0;
+    for (const int k : ring) {
+      members.push_back(loops[static_cast<std::size_t>(k)]);
+      edges += members.back().edges();
+    }
+    return ring_between(model, members, coarse, cancel) ||
+           (ring.size() > 2 && edges <= few_edges && ring_between(model, members, 1, cancel));
+  };
+  std::vector<std::vector<int>> rings;
   std::set<int> seen;
-  for (const auto& [width, i, j] : pairs) {
-    const bool first_of_i = seen.insert(i).second, first_of_j = seen.insert(j).second;
-    if (first_of_i && first_of_j && ring_between(model, {loops[i], loops[j]}, coarse, cancel)) rings.emplace_back(i, j);
+  for (const std::vector<int>& group : groups_with_bores(ends, pairs)) {
+    const bool is_free = std::ranges::none_of(group, [&](int k) { return seen.contains(k); });
+    if (!is_free || !are_joined(group)) continue;
+    seen.insert(group.begin(), group.end());
+    rings.push_back(group);
+  }
+  for (const RingSides& pair : pairs) {
+    const bool first_of_i = seen.insert(pair.i).second, first_of_j = seen.insert(pair.j).second;
+    if (first_of_i && first_of_j && are_joined({pair.i, pair.j})) rings.push_back({pair.i, pair.j});
   }
   return rings;
 }

@@ -8,7 +8,6 @@
 #include "mesh/patch.h"
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace loopmend {
@@ -36,17 +35,17 @@ struct BridgeOutcome {
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                            const InitialPatchOptions& options, const CancelToken& cancel);
 
-/// The ring between two loops at which walls end, flat or conical, or the wall between two outlines of a plate or the rims of
-/// its bore. Empty where the loops
-/// are no such pair, and where it would fold or cut itself. bridge_loops() tries it first.
-/// @param loops  two, as bridge_loops() takes them
+/// The ring between loops at which walls end, one of them the outline of all others, flat or conical; or the wall between two outlines
+/// of a plate or the rims of its bore. Empty where the loops
+/// are no such group, and where it would fold or cut itself. bridge_loops() tries it first.
+/// @param loops  as bridge_loops() takes them
 std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
                                    const CancelToken& cancel);
 
-/// Pairs of loops that such a ring or wall joins, the narrowest first, each the nearest wall of the other; indices into `loops`. Loops that
-/// touch others are left out.
-std::vector<std::pair<int, int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                            const CancelToken& cancel);
+/// Loops that such a ring or wall joins: outlines with several loops within them, then pairs, the narrowest first, each the nearest wall of
+/// the other; indices into `loops`, ascending. No loop is in two of them. Loops that touch others are left out.
+std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                         const CancelToken& cancel);
 
 /// Loops whose neighborhood lies the other way round than those of the first loop, so that no two-sided surface joins
 /// them. @returns indices into `loops`, ascending; empty when all agree.

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace loopmend {
@@ -30,7 +29,6 @@ constexpr double reach_behind =
     0.35;  ///< of the walls behind the loops, in widths of the ring: an eighth of that circle
 constexpr int fewest_samples = 12;
 constexpr std::size_t most_starts = 64;  ///< places of a loop behind which its wall is sampled
-constexpr std::size_t most_cuts = 32;  ///< between the loops, until one crosses neither
 
 Vec3 center_of(const Points& points) {
   return std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size());
@@ -50,7 +48,11 @@ bool lies_within(const PlanePoints& inner, const PlanePoints& outer) {
          });
 }
 
-Vec3 common_axis(const BridgeEnd& a, const BridgeEnd& b) { return (a.onward + b.onward).normalized(); }
+Vec3 common_axis(const std::vector<BridgeEnd>& ends) {
+  Vec3 sum = Vec3::Zero();
+  for (const BridgeEnd& end : ends) sum += end.onward;
+  return sum.normalized();
+}
 
 bool is_steep(const BridgeEnd& end, const Vec3& axis) {
   const auto is_flat = [&](const Vec3& conormal) { return !(conormal.dot(axis) > steep); };
@@ -115,41 +117,44 @@ double unevenness(const Points& points, const Vec3& axis) {
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/// Both loops as one polygon that goes from one to the other and back along the shortest edge that crosses neither.
-Triangles triangulated_ring(const Points& a, const Points& b) {
-  std::vector<std::tuple<double, int, int>> cuts;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const std::size_t j = nearest(b, a[i]);
-    cuts.emplace_back((a[i] - b[j]).squaredNorm(), static_cast<int>(i), static_cast<int>(j));
+Triangles triangulated_ring(const std::vector<BridgeEnd>& ends) {
+  Points points;
+  std::vector<std::vector<int>> curves;
+  for (const BridgeEnd& end : ends) {
+    curves.emplace_back(end.points.size());
+    std::iota(curves.back().begin(), curves.back().end(), static_cast<int>(points.size()));
+    points.insert(points.end(), end.points.begin(), end.points.end());
   }
-  std::sort(cuts.begin(), cuts.end());
-  cuts.resize(std::min(cuts.size(), most_cuts));
-  Points points = a;
-  points.insert(points.end(), b.begin(), b.end());
-  const int m = static_cast<int>(a.size()), n = static_cast<int>(b.size());
-  for (const auto& [distance, i, j] : cuts) {
-    std::vector<int> polygon;
-    for (int k = 0; k <= m; ++k) polygon.push_back((i + k) % m);
-    for (int k = 0; k <= n; ++k) polygon.push_back(m + (j + k) % n);
-    Triangles triangles = triangulate_seen_flat(points, polygon);
-    if (!triangles.empty()) return triangles;
-  }
-  return {};
+  return triangulate_seen_flat(points, curves);
 }
 
 }  // namespace
 
-bool are_walls_of_a_ring(const BridgeEnd& a, const BridgeEnd& b) {
-  if (!(a.onward.dot(b.onward) > 0)) return false;
-  const Vec3 axis = common_axis(a, b);
-  if (!is_steep(a, axis) || !is_steep(b, axis)) return false;
-  const PlanePoints seen_a = seen_along(axis, a.points), seen_b = seen_along(axis, b.points);
-  return lies_within(seen_a, seen_b) || lies_within(seen_b, seen_a);
+std::optional<std::size_t> outline_of_a_ring(const std::vector<BridgeEnd>& ends) {
+  for (const BridgeEnd& a : ends)
+    for (const BridgeEnd& b : ends)
+      if (!(a.onward.dot(b.onward) > 0)) return std::nullopt;
+  const Vec3 axis = common_axis(ends);
+  if (!std::ranges::all_of(ends, [&](const BridgeEnd& end) { return is_steep(end, axis); })) return std::nullopt;
+  std::vector<PlanePoints> seen;
+  for (const BridgeEnd& end : ends) seen.push_back(seen_along(axis, end.points));
+  const auto holds = [&](std::size_t outer, std::size_t inner) {
+    return outer != inner && lies_within(seen[inner], seen[outer]);
+  };
+  std::optional<std::size_t> outline;
+  for (std::size_t outer = 0; outer < ends.size(); ++outer) {
+    std::size_t inner = 0;
+    for (std::size_t k = 0; k < ends.size(); ++k) inner += holds(outer, k);
+    if (inner == 0) continue;
+    if (inner + 1 < ends.size()) return std::nullopt;
+    outline = outer;
+  }
+  return outline;
 }
 
 bool bend_towards_each_other(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                              const std::vector<BridgeEnd>& ends) {
-  const Vec3 axis = common_axis(ends[0], ends[1]);
+  const Vec3 axis = common_axis(ends);
   std::vector<double> widths;
   for (const Vec3& p : ends[0].points) widths.push_back((ends[1].points[nearest(ends[1].points, p)] - p).norm());
   const double width = median(widths);
@@ -162,14 +167,14 @@ bool bend_towards_each_other(const SurfaceModel& model, const std::vector<Bounda
 }
 
 std::vector<SweptBridge> bridges_by_ring(const std::vector<BridgeEnd>& ends, double step) {
+  std::vector<SweptBridge> bridges;
+  if (Triangles triangles = triangulated_ring(ends); !triangles.empty()) bridges.push_back({{}, std::move(triangles)});
+  if (ends.size() > 2) return bridges;
   const BridgeEnd &a = ends[0], &b = ends[1];
-  const Vec3 axis = common_axis(a, b);
+  const Vec3 axis = common_axis(ends);
   const double height = std::abs(axis.dot(center_of(a.points) - center_of(b.points)));
   const double size = (a.points.front() - center_of(a.points)).norm();
   const double noise = std::max({unevenness(a.points, axis), unevenness(b.points, axis), 1e-9 * size});
-  std::vector<SweptBridge> bridges;
-  if (Triangles triangles = triangulated_ring(a.points, b.points); !triangles.empty())
-    bridges.push_back({{}, std::move(triangles)});
   bridges.push_back(bridge_by_sweep(a, b, step, SweepShape::straight));
   if (height > 2 * noise) std::reverse(bridges.begin(), bridges.end());
   return bridges;

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two loops at which a wall ends, as of a pipe or a hollow print: the flat or conical ring between them.
+// Loops at which a wall ends, as of a pipe, a hollow print or a block with bores: the flat or conical ring between them.
 #pragma once
 
 #include "filling/bridge_topology.h"
 
 #include "mesh/boundary_loops.h"
 
+#include <optional>
 #include <vector>
 
 namespace loopmend {
 
-/// Whether both surfaces meet a common plane steeply from the same side, along nine tenths of the loops or more, and one loop lies within
-/// the other in it.
-bool are_walls_of_a_ring(const BridgeEnd& a, const BridgeEnd& b);
+/// Whether all surfaces meet a common plane steeply from the same side, along nine tenths of the loops or more, and one loop is the
+/// outline in it: all others lie within that, none within another.
+/// @param ends  at least two @returns the outline's index; empty where they are no such walls
+std::optional<std::size_t> outline_of_a_ring(const std::vector<BridgeEnd>& ends);
 
 /// Whether both surfaces bend towards each other before they end, as the halves of a torus do: a half circle through both loops has
 /// that curvature. Then they run on, and a ring would cut them off.
@@ -21,8 +23,8 @@ bool bend_towards_each_other(const SurfaceModel& model, const std::vector<Bounda
                              const std::vector<BridgeEnd>& ends);
 
 /// The first shapes of the ring, the better one first: a constrained Delaunay triangulation seen along the walls, which is flat where
-/// both loops lie in one plane, and straight rows between the loops, which are conical where these are parallel circles.
-/// @param ends  two, walls of a ring. @param step  length of a row, > 0
+/// the loops lie in one plane, and between two also straight rows, which are conical where these are parallel circles.
+/// @param ends  walls of a ring. @param step  length of a row, > 0
 std::vector<SweptBridge> bridges_by_ring(const std::vector<BridgeEnd>& ends, double step);
 
 }  // namespace loopmend

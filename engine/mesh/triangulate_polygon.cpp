@@ -81,11 +81,13 @@ class Projection {
   Eigen::Index v_ = 1;
 };
 
-/// Inserts corners and edges. False if corners of different vertices coincide, or if the polygon crosses itself.
-/// `uses` counts how often the polygon runs along each edge; twice along the edge that joins a hole to the outline.
+/// Inserts corners and edges. False if corners of different vertices coincide, or if a curve crosses itself or another.
+/// `uses` counts how often the curves run along each edge; twice along the edge that joins a hole to the outline.
 class PolygonDelaunay {
  public:
-  PolygonDelaunay(const Points& points, std::span<const int> polygon, const Projection& project) {
+  PolygonDelaunay(const Points& points, const std::vector<std::vector<int>>& curves, const Projection& project) {
+    std::vector<int> polygon;
+    for (const std::vector<int>& curve : curves) polygon.insert(polygon.end(), curve.begin(), curve.end());
     std::vector<Delaunay::Vertex_handle> handles(polygon.size());
     Delaunay::Face_handle hint;
     for (const std::size_t corner : order_of(points, polygon, project)) {
@@ -97,20 +99,26 @@ class PolygonDelaunay {
       handle->info() = index;
       handles[corner] = handle;
     }
-    good_ = delaunay_.dimension() == 2 && insert_edges(handles);
+    triangles_ = polygon.size() + 2 * (curves.size() - 1) - 2;
+    good_ = delaunay_.dimension() == 2;
+    std::size_t first = 0;
+    for (const std::vector<int>& curve : curves) {
+      good_ = good_ && insert_edges(std::span(handles).subspan(first, curve.size()));
+      first += curve.size();
+    }
   }
 
   bool good() const { return good_; }
 
-  /// The triangles inside, or nothing if they are not size - 2.
-  Triangles inside(std::size_t size) {
+  /// The triangles inside, or nothing if they are not as many as between such curves.
+  Triangles inside() {
     mark_domains();
     Triangles triangles;
     for (const Delaunay::Face_handle face : delaunay_.finite_face_handles()) {
       if (face->info() % 2 == 0) continue;
       triangles.push_back(canonical({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()}));
     }
-    if (triangles.size() != size - 2) triangles.clear();
+    if (triangles.size() != triangles_) triangles.clear();
     std::sort(triangles.begin(), triangles.end());
     return triangles;
   }
@@ -143,7 +151,7 @@ class PolygonDelaunay {
     return t;
   }
 
-  bool insert_edges(const std::vector<Delaunay::Vertex_handle>& handles) {
+  bool insert_edges(std::span<const Delaunay::Vertex_handle> handles) {
     try {
       for (std::size_t i = 0; i < handles.size(); ++i) {
         const Delaunay::Vertex_handle a = handles[i];
@@ -182,6 +190,7 @@ class PolygonDelaunay {
   Delaunay delaunay_;
   std::map<Delaunay::Vertex_handle, int> seen_;
   std::map<Edge, int> uses_;
+  std::size_t triangles_ = 0;
   bool good_ = false;
 };
 
@@ -239,11 +248,16 @@ void append_fan(std::span<const int> polygon, Triangles& triangles) {
 
 }  // namespace
 
-Triangles triangulate_seen_flat(const Points& points, std::span<const int> polygon) {
-  const Vec3 normal = newell_normal(points, polygon);
+Triangles triangulate_seen_flat(const Points& points, const std::vector<std::vector<int>>& curves) {
+  Vec3 normal = Vec3::Zero();
+  for (const std::vector<int>& curve : curves) normal += newell_normal(points, curve);
   if (!normal.allFinite() || normal.isZero(0.0)) return {};
-  PolygonDelaunay delaunay(points, polygon, Projection(normal));
-  return delaunay.good() ? delaunay.inside(polygon.size()) : Triangles{};
+  PolygonDelaunay delaunay(points, curves, Projection(normal));
+  return delaunay.good() ? delaunay.inside() : Triangles{};
+}
+
+Triangles triangulate_seen_flat(const Points& points, std::span<const int> polygon) {
+  return triangulate_seen_flat(points, std::vector<std::vector<int>>{{polygon.begin(), polygon.end()}});
 }
 
 void triangulate_polygon(const Points& points, std::span<const int> polygon, Triangles& triangles) {

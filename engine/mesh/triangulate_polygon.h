@@ -5,6 +5,7 @@
 #include "core/types.h"
 
 #include <span>
+#include <vector>
 
 namespace loopmend {
 
@@ -19,5 +20,9 @@ void triangulate_polygon(const Points& points, std::span<const int> polygon, Tri
 /// @return size - 2 triangles over the polygon's vertices, oriented like it, each from its least vertex on, in ascending order;
 /// empty where it crosses itself when seen so, or touches itself.
 Triangles triangulate_seen_flat(const Points& points, std::span<const int> polygon);
+
+/// The same of what lies between several closed curves: an outline, and curves within it that run round in the other direction.
+/// @param curves  each as a polygon above
+Triangles triangulate_seen_flat(const Points& points, const std::vector<std::vector<int>>& curves);
 
 }  // namespace loopmend

@@ -5,7 +5,7 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/rounding_cracks.h"
 #include "pipeline/hand_bridge.h"
-#include "pipeline/rim_pairs.h"
+#include "pipeline/rim_groups.h"
 #include "repair/base.h"
 #include "repair/inverted_shells.h"
 

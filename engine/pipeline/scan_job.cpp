@@ -7,7 +7,6 @@
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/filling_view.h"
-#include "repair/shells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,26 +181,6 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
   }
 }
 
-/// Of the larger shells that lie in the box of no other. What lies in another one may be a cavity: to tell takes long, and `info` does.
-InvertedShells inverted_outer_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  constexpr double least_size = 0.05;  // of the largest
-  constexpr double margin = 0.05;      // of the other box: the inner wall of a cup ends at its height
-  const Shells found = find_shells(model, loops);
-  double largest = 0;
-  for (const Shell& shell : found.all) largest = std::max(largest, shell.box.diagonal().norm());
-  InvertedShells result;
-  for (const Shell& shell : found.all) {
-    if (!shell.is_certain() || shell.volume > 0 || shell.box.diagonal().norm() < least_size * largest) continue;
-    const bool is_within = std::any_of(found.all.begin(), found.all.end(), [&](const Shell& other) {
-      const Vec3 wider = Vec3::Constant(margin * other.box.diagonal().norm());
-      return &other != &shell && !other.box.isEmpty() && other.area > shell.area &&
-             Eigen::AlignedBox3d(other.box.min() - wider, other.box.max() + wider).contains(shell.box);
-    });
-    if (!is_within) ++(shell.is_nearly_closed() ? result.closed : result.open);
-  }
-  return result;
-}
-
 /// Outlines that are left, of which --stitch would close a tenth or more.
 std::size_t count_abutting(const ScanPlan& plan) {
   std::size_t count = 0;
@@ -250,17 +229,31 @@ void check_shapes(const ScanPlan& plan, const ScanJob& job) {
         say("--loops takes flat, tangent and smooth only with --flow mmcvf and --mode steady, the defaults"));
 }
 
+/// At best look. Holes that share the patch share the new one.
+void judge_wall_end(std::size_t hole, std::vector<HoleResult>& results) {
+  const std::shared_ptr<const PatchResult> judged = results[hole].patch;
+  const auto place = static_cast<std::size_t>(results[hole].place);
+  if (!is_filled(results[hole].status) || !judged || place >= judged->verdicts.size()) return;
+  const auto patch = std::make_shared<PatchResult>(*judged);
+  add_finding(patch->verdicts[place], Grade::look, {NoticeCode::wall_ends, {}});
+  for (HoleResult& result : results)
+    if (result.patch == judged) result.patch = patch;
+}
+
 /// A patch over each loop alone leaves a wall hollow, or goes through it.
-void name_pairs(const ScanPlan& plan, std::vector<HoleResult>& results) {
-  const bool several =
-      std::ranges::count_if(plan.pairs, [](const RimPair& pair) { return pair.kind != RimPair::Kind::gap; }) > 1;
-  for (const RimPair& pair : plan.pairs)
-    for (const auto& [own, other] : {pair.loops, std::pair(pair.loops.second, pair.loops.first)}) {
-      if (plan.choices[static_cast<std::size_t>(own)].left == LoopChoice::Left::wide_crack) continue;
-      Message& message = results[static_cast<std::size_t>(own)].message;
-      message = joined(std::move(message), "; ", advice(pair, own + 1, other + 1));
-      if (several && pair.kind != RimPair::Kind::gap)
-        message = joined(std::move(message), "; ", say("for several pairs, repeat --loops in one command"));
+void name_rim_groups(const ScanPlan& plan, std::vector<HoleResult>& results) {
+  const bool several = std::ranges::count_if(plan.rim_groups, [](const RimGroup& group) {
+                         return group.kind != RimGroup::Kind::gap;
+                       }) > 1;
+  for (const RimGroup& group : plan.rim_groups)
+    for (const int own : group.loops) {
+      const auto k = static_cast<std::size_t>(own);
+      if (plan.choices[k].left == LoopChoice::Left::wide_crack) continue;
+      Message& message = results[k].message;
+      message = joined(std::move(message), "; ", advice(group, own));
+      if (several && group.kind != RimGroup::Kind::gap)
+        message = joined(std::move(message), "; ", say("for several patches, repeat --loops in one command"));
+      if (group.kind == RimGroup::Kind::ring) judge_wall_end(k, results);
     }
 }
 
@@ -300,11 +293,11 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     plan.choices = choose_loops(plan.model, plan.loops, job.loops);
   }
   check_shapes(plan, job);
-  plan.inverted = inverted_outer_shells(plan.model, plan.loops);
+  plan.inverted = find_inverted_shells(plan.model, plan.loops);
   // Only where commands find the same loops in the file.
   if (job.numbering == ScanJob::Numbering::of_source && plan.done.changed_nothing())
-    plan.pairs = find_rim_pairs(plan.model, plan.loops, cancel);
-  plan.at_walls = are_at_walls(plan.model, plan.loops, plan.pairs);
+    plan.rim_groups = find_rim_groups(plan.model, plan.loops, cancel);
+  plan.at_walls = are_at_walls(plan.model, plan.loops, plan.rim_groups);
   leave_wide_cracks(plan, job);
   plan.tiles = {count_abutting(plan), find_overlapping_outlines(plan.model, plan.loops)};
   plan.to_trim = plan.chosen();
@@ -314,7 +307,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
   }
   if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   name_cures(plan, job);
-  if (!plan.trimmed.empty()) plan.pairs.clear();  // no command finds the same loops in the file
+  if (!plan.trimmed.empty()) plan.rim_groups.clear();  // no command finds the same loops in the file
   plan.bad_faces = bad_boundary_faces(plan.model, plan.to_trim);
   plan.trimmable = few_of_their_pieces(plan.model, plan.bad_faces);
   return plan;
@@ -353,7 +346,7 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
       results[k].message = say("not finished in the time that --max-time allows: left open").with_code("out_of_time");
   }
-  name_pairs(plan, results);
+  name_rim_groups(plan, results);
   return results;
 }
 

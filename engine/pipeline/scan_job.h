@@ -8,7 +8,7 @@
 #include "pipeline/fill_holes.h"
 #include "pipeline/paste.h"
 #include "pipeline/prepare.h"
-#include "pipeline/rim_pairs.h"
+#include "pipeline/rim_groups.h"
 #include "pipeline/tile_outlines.h"
 #include "repair/inverted_shells.h"
 
@@ -44,7 +44,7 @@ struct ScanPlan {
   std::vector<char> at_walls;              ///< per loop whether it bounds the wall of a pipe or a side of a plate
   TileOutlines tiles;                      ///< outlines that are left beside or over other sheets
   InvertedShells inverted;                 ///< what looks inward still
-  std::vector<RimPair> pairs;              ///< loops across from each other that a command joins; indices into `loops`
+  std::vector<RimGroup> rim_groups;        ///< loops across from each other that a command joins; indices into `loops`
   std::vector<BoundaryLoop> to_trim;       ///< the loops to fill, and those that trimming left no hole
 
   std::vector<BoundaryLoop> chosen() const;

@@ -51,6 +51,14 @@ std::vector<char> inverted(const std::vector<Shell>& shells) {
   return result;
 }
 
+/// A body with openings that lies in no other is not closed if it is the only one: it may be a room that was scanned from within.
+void open_a_lone_room(std::vector<Shell>& shells) {
+  const auto is_outer = [](const Shell& shell) { return shell.around.empty(); };
+  if (std::ranges::count_if(shells, is_outer) != 1) return;
+  Shell& only = *std::ranges::find_if(shells, is_outer);
+  only.may_be_a_room = only.has_opening;
+}
+
 /// What lies in an open one that is inside out stays as it is with that.
 void leave_what_lies_in_open_ones(const std::vector<Shell>& shells, std::vector<char>& result) {
   const std::vector<char> alone = result;
@@ -99,6 +107,7 @@ KnownShells known_shells(const SurfaceModel& model, const std::vector<BoundaryLo
   known.all = std::move(found.all);
   std::erase_if(known.all, [](const Shell& shell) { return !shell.is_certain(); });
   find_nesting(model, known.all);
+  open_a_lone_room(known.all);
   return known;
 }
 

@@ -12,8 +12,9 @@ namespace loopmend {
 
 /// Of a shell, a connected part of the surface, with its openings covered by flat fans.
 struct InvertedShells {
-  std::size_t closed = 0;   ///< inside out, and closed but for openings of a twentieth of their area
-  std::size_t open = 0;     ///< inside out with wider openings, even with half balls over them
+  std::size_t closed = 0;  ///< inside out, and closed but for openings of a twentieth of their area
+  std::size_t open =
+      0;  ///< inside out with wider openings, even with half balls over them; or alone with any: it may be a room
   std::vector<char> faces;  ///< per soup triangle: 1 where it belongs to a closed one; empty where there is none
   std::size_t face_count = 0;
 };

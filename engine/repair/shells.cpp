@@ -36,6 +36,7 @@ void cover(Shell& shell, const SurfaceModel& model, const BoundaryLoop& loop, co
     shell.volume += volume_over(a - origin, b - origin, loop.center - origin) / 6;
   }
   shell.is_open = true;
+  shell.has_opening = shell.has_opening || loop.kind == LoopKind::hole || loop.kind == LoopKind::outer_rim;
   shell.openings += area;
   shell.uncertainty += area * loop.diameter / 3;  // what a half ball over it would hold
 }
@@ -68,7 +69,7 @@ bool lies_in(const SurfaceModel& model, const Shell& shell, const InsideShell& o
 
 bool Shell::is_certain() const { return has_sides && std::abs(volume) > uncertainty; }
 
-bool Shell::is_nearly_closed() const { return openings <= most_open * area; }
+bool Shell::is_nearly_closed() const { return openings <= most_open * area && !may_be_a_room; }
 
 Shells find_shells(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
   Shells shells;

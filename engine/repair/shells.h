@@ -17,13 +17,15 @@ struct Shell {
   Points covers;           ///< three corners after another: flat fans over its openings
   Eigen::AlignedBox3d box;
   double area = 0;
-  double volume = 0;        ///< with the fans; below 0: the faces look inward
-  double openings = 0;      ///< area of the fans
-  double uncertainty = 0;   ///< of the volume: what covers as high as half balls would change
-  bool has_sides = true;    ///< each edge has two faces, or one, and no vertex is a mark for missing data
-  bool is_open = false;     ///< whether some edge has one face
-  std::set<int> crosses{};  ///< shells that cross or touch it: it is not looked for in them
-  std::vector<int> around;  ///< shells that it lies in; only after find_nesting()
+  double volume = 0;           ///< with the fans; below 0: the faces look inward
+  double openings = 0;         ///< area of the fans
+  double uncertainty = 0;      ///< of the volume: what covers as high as half balls would change
+  bool has_sides = true;       ///< each edge has two faces, or one, and no vertex is a mark for missing data
+  bool is_open = false;        ///< whether some edge has one face
+  bool has_opening = false;    ///< the same, and it is no side of a crack
+  bool may_be_a_room = false;  ///< that was scanned from within: it does not count as closed
+  std::set<int> crosses{};     ///< shells that cross or touch it: it is not looked for in them
+  std::vector<int> around;     ///< shells that it lies in; only after find_nesting()
 
   bool is_certain() const;
   /// But for openings of a twentieth of its area.

@@ -2,8 +2,11 @@
 #include "repair/stitch_boundaries.h"
 
 #include "core/error.h"
+#include "core/quantile.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangulate_polygon.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -23,11 +26,16 @@ namespace bg = boost::geometry;
 /// Joined vertices lie nearer to each other than this share of the shortest boundary edge there, or a long triangle's short side would
 /// be closed by its neighbours. Edges shorter than `no_edge` of the mean are slivers.
 constexpr double share_of_shortest = 0.4, no_edge = 1e-3;
+/// Longer boundary edges, in medians of all, count as if they were so long: those of spikes at missing data do not say what is near.
+constexpr double longest_of_median = 10;
+/// Two faces that would form a crevice narrower than 30 degrees, normals to normals: bodies that touch there, not sides of a crack.
+constexpr double crevice = -0.866;
 
 /// A boundary edge of the soup, as it runs in its face.
 struct BoundaryEdge {
   int face, corner;  ///< from this corner of the face to the next
   int from, to;      ///< soup points
+  int loop;          ///< the boundary that it is on
 };
 
 class Stitching {
@@ -79,8 +87,10 @@ class Stitching {
  private:
   void find_boundary(const SurfaceModel& model) {
     std::vector<std::vector<double>> lengths(size_.size());
+    std::map<int, int> loop_of;  // of boundary halfedges
     for (const auto h : model.mesh.halfedges()) {
       if (!model.mesh.is_boundary(h)) continue;
+      for (auto next = h; loop_of.emplace(next.idx(), h.idx()).second;) next = model.mesh.next_halfedge_handle(next);
       const auto inner = model.mesh.opposite_halfedge_handle(h);
       if (is_cut_off(model, model.mesh.from_vertex_handle(h).idx()) ||
           is_cut_off(model, model.mesh.to_vertex_handle(h).idx()))
@@ -90,15 +100,18 @@ class Stitching {
       const int to = model.soup_vertex[model.mesh.to_vertex_handle(inner).idx()];
       const Triangle& t = soup_.triangles[face];
       const int corner = static_cast<int>(std::find(t.begin(), t.end(), from) - t.begin());
-      edges_.push_back({face, corner, from, to});
+      edges_.push_back({face, corner, from, to, loop_of[h.idx()]});
       neighbors_.insert(std::minmax(from, to));
       const double length = (soup_.points[to] - soup_.points[from]).norm();
       for (int v : {from, to}) lengths[v].push_back(length);
     }
+    std::vector<double> all;
+    for (const std::vector<double>& here : lengths) all.insert(all.end(), here.begin(), here.end());
+    const double longest = longest_of_median * median(std::move(all));
     std::vector<std::pair<TreePoint, int>> entries;
     for (std::size_t v = 0; v < size_.size(); ++v) {
       if (lengths[v].empty()) continue;
-      size_[v] = size_of(lengths[v]);
+      size_[v] = std::min(size_of(lengths[v]), longest);
       entries.emplace_back(tree_point(soup_.points[v]), static_cast<int>(v));
     }
     tree_ = PointTree(entries);
@@ -220,6 +233,21 @@ class Stitching {
     return sewing_of(std::move(sewing.cuts));
   }
 
+  /// Whether two boundary edges, which would become one, may be the sides of a crack: those of one boundary, and those that lie on each
+  /// other, always are.
+  bool may_meet(int k, int l) const {
+    const BoundaryEdge &a = edges_[static_cast<std::size_t>(k)], &b = edges_[static_cast<std::size_t>(l)];
+    const Points& p = soup_.points;
+    if (a.loop == b.loop || (p[a.from] == p[b.to] && p[a.to] == p[b.from])) return true;
+    const auto normal = [&](const BoundaryEdge& e) {
+      const Triangle& t = soup_.triangles[e.face];
+      return Vec3((p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).normalized());
+    };
+    const Triangle& t = soup_.triangles[b.face];
+    const Vec3 beyond = (p[t[0]] + p[t[1]] + p[t[2]]) / 3 - p[a.from];
+    return normal(a).dot(normal(b)) > crevice || normal(a).dot(beyond) <= 0;
+  }
+
   /// Without the cuts that close nothing.
   Sewing sewing_of(std::map<int, Sides> cuts) {
     Sewing sewing{std::move(cuts), std::vector<int>(edges_.size(), 0), std::vector<int>(edges_.size(), 0)};
@@ -236,8 +264,10 @@ class Stitching {
     }
     for (const auto& [part, of] : parts)
       for (int k : of) {
+        const auto other = parts.find({part.second, part.first});
         ++sewing.parts[static_cast<std::size_t>(k)];
-        sewing.open_parts[static_cast<std::size_t>(k)] += !parts.contains({part.second, part.first});
+        sewing.open_parts[static_cast<std::size_t>(k)] +=
+            other == parts.end() || std::ranges::none_of(other->second, [&](int l) { return may_meet(k, l); });
       }
     for (std::size_t k = 0; k < edges_.size(); ++k)
       if (const auto cut = sewing.cuts.find(edges_[k].face);

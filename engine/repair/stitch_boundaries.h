@@ -23,9 +23,10 @@ struct StitchedSurface {
   bool any() const { return joined_vertices + split_faces + removed_faces > 0; }
 };
 
-/// How near vertices must be to be joined.
+/// How near vertices must be to be joined. Edges of different boundaries whose faces would form a crevice narrower than 30 degrees are not,
+/// unless they lie on each other: bodies touch there.
 struct StitchTolerance {
-  double edges = 0.1;            ///< 0..0.4, in lengths of the boundary edges there
+  double edges = 0.1;            ///< 0..0.4, in lengths of the boundary edges there, but at most ten medians of all
   std::optional<double> length;  ///< at least 0, in mesh units, in place of that
 };
 

@@ -16,6 +16,8 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <regex>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -86,6 +88,32 @@ TEST_F(CliBlend, BothEndsOfAPipeInOneCommand) {
       blend(path("pipe.ply") + "--loops " + pairs[false] + " --loops " + pairs[true] + " --report " + path("r.json"));
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(json::parse(std::ifstream(work / "r.json"))["patches"].size(), 2u);
+  EXPECT_TRUE(watertightness(read_mesh(work / "out.ply").soup).printable());
+}
+
+/// What fill names for a block with two bores and no end faces closes it, and so says blend where one of the bores is forgotten.
+TEST_F(CliBlend, TheEndFacesOfABlockWithBoresAsFillNamesThem) {
+  const auto tube = [](double radius, double aside, bool is_bore) {
+    TriangleSoup soup = make_revolution([=](double) { return radius; }, 0, 1, 40, 8);
+    for (Vec3& p : soup.points) p.x() += aside;
+    for (Triangle& t : soup.triangles)
+      if (is_bore) std::swap(t[1], t[2]);
+    return soup;
+  };
+  write("block.ply", joined({tube(2, 0, false), tube(0.5, 1, true), tube(0.4, -1, true)}));
+  const std::string said = loopmend_program("fill " + path("block.ply") + "-o " + path("lids.ply")).out;
+  const std::regex command("'loopmend blend (--loops (1:\\d+,1:\\d+),1:\\d+)'");
+  std::set<std::string> faces, pairs;
+  for (std::sregex_iterator found(said.begin(), said.end(), command), end; found != end; ++found) {
+    faces.insert((*found)[1]);
+    pairs.insert((*found)[2]);
+  }
+  ASSERT_EQ(faces.size(), 2u) << said;
+  const Outcome forgotten = blend(path("block.ply") + "--loops " + *pairs.begin());
+  EXPECT_EQ(forgotten.code, 1);
+  EXPECT_THAT(forgotten.err, HasSubstr(*faces.begin()));
+  const Outcome run = blend(path("block.ply") + *faces.begin() + " " + *faces.rbegin());
+  EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(watertightness(read_mesh(work / "out.ply").soup).printable());
 }
 

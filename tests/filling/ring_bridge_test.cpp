@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -184,9 +186,69 @@ TEST(RingBridge, FindsTheRingsOfAPipe) {
   const SurfaceModel model =
       make_surface_model(joined({wall(circle(48, 1), Side::outer), wall(circle(40, 0.8), Side::inner)}));
   const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-  const std::vector<std::pair<int, int>> rings = find_rings(model, loops, {});
+  const std::vector<std::vector<int>> rings = find_rings(model, loops, {});
   ASSERT_EQ(rings.size(), 2U);
-  for (const auto& [i, j] : rings) EXPECT_NEAR(loops[i].center.z(), loops[j].center.z(), 1e-9);
+  for (const std::vector<int>& ring : rings) {
+    ASSERT_EQ(ring.size(), 2U);
+    EXPECT_NEAR(loops[ring[0]].center.z(), loops[ring[1]].center.z(), 1e-9);
+  }
+}
+
+/// The walls of a block with bores beside each other, without either end face, turned by some degrees.
+TriangleSoup block_with_bores(int bores, double degrees) {
+  std::vector<TriangleSoup> walls{wall(square(12, 2), Side::outer)};
+  for (int k = 0; k < bores; ++k) {
+    Points rim = circle(24 + 3 * k, 0.4);
+    for (Vec3& p : rim) p += Vec3(-1.2 + 1.2 * k, 0.1 * k, 0);
+    walls.push_back(wall(rim, Side::inner));
+  }
+  TriangleSoup soup = joined(walls);
+  const Eigen::AngleAxisd turn(degrees * pi / 180, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : soup.points) p = turn * p;
+  return soup;
+}
+
+TEST(RingBridge, ABlockWithBoresGetsAFaceWithHoles) {
+  for (const int bores : {2, 3})
+    for (const double degrees : {0.0, 50.0}) {
+      SCOPED_TRACE(testing::Message() << bores << " bores, turned by " << degrees);
+      const TriangleSoup soup = block_with_bores(bores, degrees);
+      SurfaceModel model = make_surface_model(soup);
+      const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+      const std::vector<std::vector<int>> rings = find_rings(model, loops, {});
+      ASSERT_EQ(rings.size(), 2U);
+      double area = 16;
+      for (int k = 0; k < bores; ++k) area -= area_in(circle(24 + 3 * k, 0.4));
+      Joined block{model, {}, soup.points.size(), soup.triangles.size()};
+      for (const std::vector<int>& ring : rings) {
+        ASSERT_EQ(ring.size(), static_cast<std::size_t>(bores) + 1);
+        std::vector<BoundaryLoop> face;
+        for (const int k : ring) face.push_back(loops[k]);
+        Joined one = block;
+        std::ranges::reverse(face);  // the outline need not come first
+        one.result = blend_loops(one.model, face, {}, {});
+        ASSERT_EQ(one.result.outcome.status, PatchStatus::filled) << one.result.outcome.message;
+        EXPECT_EQ(worst(one.result.outcome.verdicts), Grade::good);
+        EXPECT_EQ(one.result.turned_faces, 0U);
+        EXPECT_NEAR(one.new_area(), area, 1e-9);
+        EXPECT_EQ(find_boundary_loops(one.model).size(), static_cast<std::size_t>(bores) + 1);
+      }
+    }
+}
+
+/// A bore that is inside out is turned, whichever loop is named first.
+TEST(RingBridge, ABoreOfABlockThatIsInsideOutIsTurned) {
+  TriangleSoup soup = block_with_bores(2, 0);
+  const std::size_t bore = 2 * 12 * 24;
+  for (std::size_t f = 2 * 12 * 48; f < 2 * 12 * 48 + bore; ++f) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+  SurfaceModel model = make_surface_model(soup);
+  std::vector<BoundaryLoop> tops;
+  for (const BoundaryLoop& loop : find_boundary_loops(model))
+    if (loop.center.z() > -0.5) tops.push_back(loop);
+  ASSERT_EQ(tops.size(), 3U);
+  const BlendResult result = blend_loops(model, tops, {}, {});
+  ASSERT_EQ(result.outcome.status, PatchStatus::filled) << result.outcome.message;
+  EXPECT_EQ(result.turned_faces, bore);
 }
 
 TEST(RingBridge, HalvesOfATorusRunOn) {
@@ -213,10 +275,15 @@ TEST(RingBridge, TubesThatFaceEachOtherOrLieSideBySideAreNoWalls) {
     return made;
   };
   const BridgeEnd outer = end({0, 0, 0}, 1, Vec3::UnitZ(), 1);
-  EXPECT_TRUE(are_walls_of_a_ring(outer, end({0, 0, 0.2}, 0.5, Vec3::UnitZ(), -1)));
-  EXPECT_FALSE(are_walls_of_a_ring(outer, end({0, 0, 2}, 0.5, -Vec3::UnitZ(), -1)));
-  EXPECT_FALSE(are_walls_of_a_ring(outer, end({3, 0, 0}, 0.5, Vec3::UnitZ(), 1)));
-  EXPECT_FALSE(are_walls_of_a_ring(outer, end({0.8, 0, 0}, 0.5, Vec3::UnitZ(), -1)));
+  const auto is_ring = [&](const BridgeEnd& other) { return outline_of_a_ring({outer, other}) == 0; };
+  EXPECT_TRUE(is_ring(end({0, 0, 0.2}, 0.5, Vec3::UnitZ(), -1)));
+  EXPECT_FALSE(is_ring(end({0, 0, 2}, 0.5, -Vec3::UnitZ(), -1)));
+  EXPECT_FALSE(is_ring(end({3, 0, 0}, 0.5, Vec3::UnitZ(), 1)));
+  EXPECT_FALSE(is_ring(end({0.8, 0, 0}, 0.5, Vec3::UnitZ(), -1)));
+  const BridgeEnd left = end({-0.5, 0, 0}, 0.3, Vec3::UnitZ(), -1), right = end({0.5, 0, 0}, 0.3, Vec3::UnitZ(), -1);
+  EXPECT_EQ(outline_of_a_ring({left, outer, right}), 1U);
+  EXPECT_FALSE(outline_of_a_ring({left, right}));
+  EXPECT_FALSE(outline_of_a_ring({outer, left, end({-0.5, 0, 0}, 0.1, Vec3::UnitZ(), 1)}));  // one within another
 }
 
 }  // namespace

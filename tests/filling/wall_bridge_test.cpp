@@ -3,8 +3,8 @@
 #include "filling/wall_bridge.h"
 
 #include "filling/bridge_loops.h"
-#include "repair/watertight.h"
 #include "pipeline/blend.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -84,9 +84,9 @@ TEST(WallBridge, TheBoreOfAPlateGetsAStraightWall) {
   const auto pairs = find_rings(model, find_boundary_loops(model), {});
   EXPECT_EQ(pairs.size(), 2U);
   double area = 0;
-  for (const auto& [i, j] : pairs) {
+  for (const std::vector<int>& pair : pairs) {
     const std::vector<BoundaryLoop> all = find_boundary_loops(model);
-    const BoundaryLoop& rim = all[static_cast<std::size_t>(i)];
+    const BoundaryLoop& rim = all[static_cast<std::size_t>(pair[0])];
     area += (rim.kind == LoopKind::outer_rim ? 1 : -1) * rim.area;
   }
   while (!find_boundary_loops(model).empty()) {

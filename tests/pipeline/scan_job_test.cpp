@@ -190,5 +190,27 @@ TEST(ScanJob, ToleranceAndBaseAreReadAsTheyAreWritten) {
     EXPECT_THROW(base_of(text), InvalidArgument) << text;
 }
 
+/// Lids on the bores of a block are right only where the bores themselves are not.
+TEST(ScanJob, LidsWhereWallsEndAreToBeLookedAt) {
+  const auto tube = [](double radius, const Vec3& center, bool is_bore) {
+    TriangleSoup soup = make_revolution([=](double) { return radius; }, 0, 1, 40, 8);
+    for (Vec3& p : soup.points) p += center;
+    for (Triangle& t : soup.triangles)
+      if (is_bore) std::swap(t[1], t[2]);
+    return soup;
+  };
+  const TriangleSoup block =
+      joined({tube(2, {0, 0, 0}, false), tube(0.5, {1, 0, 0}, true), tube(0.4, {-1, 0, 0}, true)});
+  ScanPlan plan = planned(block);
+  const std::vector<HoleResult> results = filled(plan);
+  ASSERT_EQ(results.size(), 6U);
+  for (const HoleResult& result : results) {
+    const Verdict verdict = result.verdict();
+    EXPECT_NE(verdict.grade, Grade::good);
+    EXPECT_EQ(std::ranges::count(verdict.findings, NoticeCode::wall_ends, &Notice::code), 1);
+    EXPECT_NE(result.message.english().find("joins them by a face with holes"), std::string::npos) << result.message;
+  }
+}
+
 }  // namespace
 }  // namespace loopmend

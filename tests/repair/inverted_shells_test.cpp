@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair/inverted_shells.h"
 
-#include "repair/watertight.h"
 #include "repair/repair_surface.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -83,14 +83,32 @@ TEST(InvertedShells, BodiesThatCrossAreBodies) {
   EXPECT_EQ(repair_surface(soup).counts.turned_shells, 1u);
 }
 
-TEST(InvertedShells, SmallHolesChangeNothing) {
+TEST(InvertedShells, SmallHolesChangeNothingBesideAnotherBody) {
   TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.95; });
   EXPECT_EQ(found_in(soup).closed, 0u);
   for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
-  const InvertedShells found = found_in(soup);
-  EXPECT_EQ(found.closed, 1u);
-  EXPECT_EQ(found.face_count, soup.triangles.size());
-  EXPECT_EQ(repair_surface(soup).counts.turned_shells, 1u);
+  for (const Facing facing : {Facing::outward, Facing::inward}) {
+    const InvertedShells found = found_in(joined({soup, ball(1, {3, 0, 0}, facing)}));
+    EXPECT_EQ(found.closed, facing == Facing::inward ? 2u : 1u);
+    EXPECT_EQ(found.open, 0u);
+  }
+}
+
+/// A room with a window, also with what stands in it; with a crack alone it is a body inside out.
+TEST(InvertedShells, ALoneBodyWithAnOpeningMayBeARoom) {
+  TriangleSoup room = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.95; });
+  for (Triangle& t : room.triangles) std::swap(t[1], t[2]);
+  for (const TriangleSoup& soup : {room, joined({room, ball(0.3, {0, 0, -0.3}, Facing::outward)})}) {
+    const InvertedShells found = found_in(soup);
+    EXPECT_EQ(found.closed, 0u);
+    EXPECT_EQ(found.open, 1u);
+    EXPECT_FALSE(repair_surface(soup).counts.any());
+  }
+  TriangleSoup cracked = ball(1, {0, 0, 0}, Facing::inward);
+  const int v = cracked.triangles[0][0];
+  cracked.points.push_back(cracked.points[v]);
+  cracked.triangles[0][0] = static_cast<int>(cracked.points.size()) - 1;
+  EXPECT_EQ(found_in(cracked).closed, 1u);
 }
 
 TEST(InvertedShells, WideOpeningsAreToldAndLeft) {

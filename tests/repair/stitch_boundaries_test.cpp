@@ -207,6 +207,51 @@ TEST(StitchBoundaries, SplitsAFaceAtAllItsSidesAtOnce) {
   EXPECT_NEAR(area, 81, 1e-12);
 }
 
+/// Two balls, mirror images of each other, that share an edge; in each a hole begins at one end of it.
+TriangleSoup touching_balls(int level) {
+  const TriangleSoup ball = make_icosphere(level);
+  const Triangle shared = ball.triangles.front();
+  const int a = shared[0], b = shared[1];
+  const auto is_beside = [&](int v, int w) {
+    return std::ranges::any_of(ball.triangles, [&](const Triangle& t) {
+      return std::ranges::count(t, v) > 0 && std::ranges::count(t, w) > 0;
+    });
+  };
+  int middle = 0;  // of the hole: beside a, and not beside b
+  while (middle == a || !is_beside(middle, a) || is_beside(middle, b)) ++middle;
+  const Vec3 along = (ball.points[b] - ball.points[a]).normalized(), center = (ball.points[a] + ball.points[b]) / 2;
+  const Vec3 across = (center - along.dot(center) * along).normalized();
+  TriangleSoup soup;
+  soup.points = ball.points;
+  const int count = static_cast<int>(ball.points.size());
+  for (const Vec3& p : ball.points) soup.points.push_back(p - 2 * across.dot(p - center) * across);
+  const auto mirrored = [&](int v) { return v == a || v == b ? v : v + count; };
+  for (const Triangle& t : ball.triangles) {
+    if (std::ranges::count(t, middle) > 0) continue;
+    soup.triangles.push_back(t);
+    soup.triangles.push_back({mirrored(t[0]), mirrored(t[2]), mirrored(t[1])});
+  }
+  return soup;
+}
+
+TEST(StitchBoundaries, BodiesThatTouchStayApart) {
+  for (const int level : {3, 4}) {
+    const SurfaceModel model = make_surface_model(touching_balls(level));
+    ASSERT_EQ(find_boundary_loops(model).size(), 2u);
+    EXPECT_TRUE(near_boundaries(model).closing.empty());
+    EXPECT_FALSE(stitch_boundaries(model).any());
+  }
+}
+
+/// The edges of spikes at missing data are long, and say nothing of what is near.
+TEST(StitchBoundaries, SpikesDoNotJoinTheOutlineBesideThem) {
+  TriangleSoup soup = tile(0, 20, 20, 20, 20);
+  for (const int x : {5, 7, 9, 11}) soup.points[static_cast<std::size_t>(x)].z() = -9999;
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_EQ(near_boundaries(model).vertices, 0u);
+  EXPECT_FALSE(stitch_boundaries(model).any());
+}
+
 TEST(StitchBoundaries, TakesALengthOrAPartOfTheEdges) {
   // Tiles with a gap of 0.3 between them; edges of 1.
   const TriangleSoup soup = joined({tile(0, 4, 4, 6, 6), tile(4.3, 4, 4, 6, 6)});

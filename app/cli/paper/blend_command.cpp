@@ -12,7 +12,7 @@
 #include "core/version.h"
 #include "pipeline/blend.h"
 #include "pipeline/continue_attributes.h"
-#include "pipeline/rim_pairs.h"
+#include "pipeline/rim_groups.h"
 
 #include <algorithm>
 #include <chrono>
@@ -111,8 +111,20 @@ void print_summary(std::FILE* out, const BlendCommand& command, const std::vecto
 /// What to do where no surface joins the loops.
 std::string next_step(const OpenedParts& parts, const std::vector<NamedLoop>& loops) {
   if (parts.paths.size() == 1 && loops.size() == 2)
-    if (const std::optional<RimPair> gap = find_gap(parts.joined.model, loops[0].loop, loops[1].loop))
+    if (const std::optional<RimGroup> gap = find_gap(parts.joined.model, loops[0].loop, loops[1].loop))
       return gap_cure(*gap).english();
+  if (parts.paths.size() == 1) {
+    const std::vector<BoundaryLoop>& all = parts.joined.loops.front();
+    for (const RimGroup& face : find_walls(parts.joined.model, all, CancelToken())) {
+      const auto is_of_it = [&](const NamedLoop& named) {
+        return std::ranges::any_of(face.loops, [&](int k) {
+          return all[static_cast<std::size_t>(k)].vertices.front() == named.loop.vertices.front();
+        });
+      };
+      if (face.loops.size() > loops.size() && std::ranges::all_of(loops, is_of_it))
+        return advice(face, face.loops.front()).english();
+    }
+  }
   return "name other loops (--loops), or close each by itself ('loopmend fill')";
 }
 

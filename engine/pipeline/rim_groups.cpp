@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/rim_pairs.h"
+#include "pipeline/rim_groups.h"
 
 #include "core/quantile.h"
 #include "filling/bridge_loops.h"
@@ -60,7 +60,7 @@ bool are_sides_of_a_crack(const BoundaryLoop& loop, double apart) {
 
 /// Ends of tubes, the nearest first.
 void add_tubes(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const CancelToken& cancel,
-               std::set<int>& taken, std::vector<RimPair>& pairs) {
+               std::set<int>& taken, std::vector<RimGroup>& groups) {
   std::vector<std::optional<LoopFacing>> ends;
   for (const BoundaryLoop& loop : loops) {
     ends.emplace_back();
@@ -102,7 +102,7 @@ void add_tubes(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops
     };
     if (!joins(coarse) && !(both[0].edges() + both[1].edges() <= few_edges && joins(1))) continue;
     taken.insert({i, j});
-    pairs.push_back({{i, j}, RimPair::Kind::tube});
+    groups.push_back({{i, j}, RimGroup::Kind::tube});
   }
 }
 
@@ -179,7 +179,7 @@ std::size_t edge_across(const Outline& own, std::size_t k, const Outline& other)
 }
 
 void add_gaps(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, const std::set<int>& taken,
-              std::vector<RimPair>& pairs) {
+              std::vector<RimGroup>& groups) {
   std::vector<int> outlines;
   for (std::size_t k = 0; k < loops.size(); ++k)
     if (loops[k].kind == LoopKind::outer_rim && may_be_joined(loops[k]) && !taken.contains(static_cast<int>(k)))
@@ -198,10 +198,10 @@ void add_gaps(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
       if (boxes[i].exteriorDistance(boxes[j]) > widest_gap * std::min(a.diameter, b.diameter)) continue;
       left -= static_cast<double>(a.edges()) * b.edges();
       if (left < 0) break;
-      std::optional<RimPair> gap = find_gap(model, a, b);
+      std::optional<RimGroup> gap = find_gap(model, a, b);
       if (!gap) continue;
       gap->loops = {outlines[i], outlines[j]};
-      pairs.push_back(*gap);
+      groups.push_back(*gap);
     }
 }
 
@@ -212,18 +212,19 @@ double distance_to(const SurfaceModel& model, const BoundaryLoop& loop, const Ve
   return least;
 }
 
-/// Whether most of a loop lies nearer to the one than to any other loop.
-bool is_nearest(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, std::size_t loop,
-                std::size_t partner) {
+/// Whether most of a loop lies nearer to one of the group's other loops than to any loop beside these.
+bool is_nearest(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int loop, const RimGroup& group) {
   constexpr std::size_t most_places = 16;
-  const std::vector<int>& vertices = loops[loop].vertices;
+  const std::vector<int>& vertices = loops[static_cast<std::size_t>(loop)].vertices;
   const std::size_t stride = std::max<std::size_t>(1, vertices.size() / most_places);
   std::size_t places = 0, nearest = 0;
   for (std::size_t i = 0; i < vertices.size(); i += stride, ++places) {
     const Vec3 p = model.mesh.point(TriMesh::VertexHandle(vertices[i]));
-    const double own = distance_to(model, loops[partner], p);
+    double own = std::numeric_limits<double>::infinity();
+    for (const int k : group.loops)
+      if (k != loop) own = std::min(own, distance_to(model, loops[static_cast<std::size_t>(k)], p));
     nearest += std::none_of(loops.begin(), loops.end(), [&](const BoundaryLoop& other) {
-      const bool is_other = &other != &loops[loop] && &other != &loops[partner];
+      const bool is_other = !std::ranges::binary_search(group.loops, static_cast<int>(&other - loops.data()));
       return is_other && (other.center - p).norm() < other.diameter + std::sqrt(own) &&
              distance_to(model, other, p) < own;
     });
@@ -233,42 +234,40 @@ bool is_nearest(const SurfaceModel& model, const std::vector<BoundaryLoop>& loop
 
 }  // namespace
 
-std::vector<RimPair> find_walls(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                const CancelToken& cancel) {
-  std::vector<RimPair> pairs;
-  for (const std::pair<int, int>& ring : find_rings(model, loops, cancel)) {
-    const bool is_plate = loop_facing(model, loops[static_cast<std::size_t>(ring.first)]).onward.norm() < end_of_a_wall;
-    pairs.push_back({ring, is_plate ? RimPair::Kind::plate : RimPair::Kind::ring});
+std::vector<RimGroup> find_walls(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                 const CancelToken& cancel) {
+  std::vector<RimGroup> groups;
+  for (std::vector<int>& ring : find_rings(model, loops, cancel)) {
+    const bool is_plate = loop_facing(model, loops[static_cast<std::size_t>(ring[0])]).onward.norm() < end_of_a_wall;
+    groups.push_back({std::move(ring), is_plate ? RimGroup::Kind::plate : RimGroup::Kind::ring});
   }
-  return pairs;
+  return groups;
 }
 
 std::vector<char> are_at_walls(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                               const std::vector<RimPair>& pairs) {
+                               const std::vector<RimGroup>& groups) {
   std::vector<char> result(loops.size(), 0);
-  for (const RimPair& pair : pairs) {
-    if (pair.kind != RimPair::Kind::ring && pair.kind != RimPair::Kind::plate) continue;
-    const auto first = static_cast<std::size_t>(pair.loops.first), second = static_cast<std::size_t>(pair.loops.second);
-    result[first] = is_nearest(model, loops, first, second);
-    result[second] = is_nearest(model, loops, second, first);
+  for (const RimGroup& group : groups) {
+    if (group.kind != RimGroup::Kind::ring && group.kind != RimGroup::Kind::plate) continue;
+    for (const int k : group.loops) result[static_cast<std::size_t>(k)] = is_nearest(model, loops, k, group);
   }
   return result;
 }
 
-std::vector<RimPair> find_rim_pairs(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                    const CancelToken& cancel) {
+std::vector<RimGroup> find_rim_groups(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                      const CancelToken& cancel) {
   constexpr std::size_t most_outlines = 200;  // of more every pair would take long to look at
-  std::vector<RimPair> pairs = find_walls(model, loops, cancel);
+  std::vector<RimGroup> groups = find_walls(model, loops, cancel);
   std::set<int> taken;
-  for (const RimPair& pair : pairs) taken.insert({pair.loops.first, pair.loops.second});
-  add_tubes(model, loops, cancel, taken, pairs);
+  for (const RimGroup& group : groups) taken.insert(group.loops.begin(), group.loops.end());
+  add_tubes(model, loops, cancel, taken, groups);
   const auto outlines = static_cast<std::size_t>(
       std::ranges::count_if(loops, [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; }));
-  if (outlines <= most_outlines) add_gaps(model, loops, taken, pairs);
-  return pairs;
+  if (outlines <= most_outlines) add_gaps(model, loops, taken, groups);
+  return groups;
 }
 
-std::optional<RimPair> find_gap(const SurfaceModel& model, const BoundaryLoop& a, const BoundaryLoop& b) {
+std::optional<RimGroup> find_gap(const SurfaceModel& model, const BoundaryLoop& a, const BoundaryLoop& b) {
   if (!may_be_joined(a) || !may_be_joined(b)) return std::nullopt;
   if (a.onward > end_of_a_wall || b.onward > end_of_a_wall) return std::nullopt;  // no sheets
   const Outline own(model, a), other(model, b);
@@ -282,7 +281,7 @@ std::optional<RimPair> find_gap(const SurfaceModel& model, const BoundaryLoop& a
     if (std::isfinite(widths[edge])) in_run.push_back(widths[edge]);
     length += (own.points[own.next(edge)] - own.points[edge]).norm();
   }
-  RimPair gap{{0, 1}, RimPair::Kind::gap, median(in_run)};
+  RimGroup gap{{0, 1}, RimGroup::Kind::gap, median(in_run)};
   // --stitch joins narrower ones.
   if (gap.width < narrowest_gap * length / static_cast<double>(count)) return std::nullopt;
   if (length < shortest_gap * std::min(a.diameter, b.diameter)) return std::nullopt;
@@ -299,28 +298,35 @@ std::optional<RimPair> find_gap(const SurfaceModel& model, const BoundaryLoop& a
   return gap;
 }
 
-Message gap_cure(const RimPair& gap) {
+Message gap_cure(const RimGroup& gap) {
   const auto& [first, second] = gap.bridges;
   return say("'loopmend fill --bridge %1,%2 --bridge %3,%4' closes the gap", first.first, first.second, second.first,
              second.second);
 }
 
-Message advice(const RimPair& pair, int own, int other) {
-  const int first = std::min(own, other), second = std::max(own, other);
-  switch (pair.kind) {
-    case RimPair::Kind::ring:
-      return say("a wall ends at this loop and at loop %1: 'loopmend blend --loops 1:%2,1:%3' joins them by a ring",
-                 other, first, second);
-    case RimPair::Kind::plate:
-      return say(
-          "loop %1 bounds the other side of a plate: 'loopmend blend --loops 1:%2,1:%3' joins them by a straight wall",
-          other, first, second);
-    case RimPair::Kind::tube:
-      return say("the end at loop %1 looks at this one: 'loopmend blend --loops 1:%2,1:%3' joins them by a smooth tube",
-                 other, first, second);
-    case RimPair::Kind::gap:
-      return joined(say("a gap of about %1 parts this outline from that of loop %2", two_digits(pair.width), other),
-                    ": ", gap_cure(pair));
+Message advice(const RimGroup& group, int own) {
+  std::string all, others, named;  // as commands take them
+  for (const int k : group.loops) {
+    const std::string number = std::to_string(k + 1);
+    named += (named.empty() ? "1:" : ",1:") + number;
+    all += (all.empty() ? "" : ", ") + number;
+    if (k != own) others += number;
+  }
+  switch (group.kind) {
+    case RimGroup::Kind::ring:
+      if (group.loops.size() > 2)
+        return say("walls end at loops %1: 'loopmend blend --loops %2' joins them by a face with holes", all, named);
+      return say("a wall ends at this loop and at loop %1: 'loopmend blend --loops %2' joins them by a ring", others,
+                 named);
+    case RimGroup::Kind::plate:
+      return say("loop %1 bounds the other side of a plate: 'loopmend blend --loops %2' joins them by a straight wall",
+                 others, named);
+    case RimGroup::Kind::tube:
+      return say("the end at loop %1 looks at this one: 'loopmend blend --loops %2' joins them by a smooth tube",
+                 others, named);
+    case RimGroup::Kind::gap:
+      return joined(say("a gap of about %1 parts this outline from that of loop %2", two_digits(group.width), others),
+                    ": ", gap_cure(group));
   }
   return {};
 }

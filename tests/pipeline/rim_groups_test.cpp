@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/rim_pairs.h"
+#include "pipeline/rim_groups.h"
 
 #include "pipeline/hand_bridge.h"
 #include "samples/analytic_surfaces.h"
@@ -22,8 +22,8 @@ TriangleSoup sheet(int cells) {
   return make_graph([](double, double) { return 0; }, 1, cells);
 }
 
-std::vector<RimPair> pairs_of(const SurfaceModel& model) {
-  return find_rim_pairs(model, find_boundary_loops(model), {});
+std::vector<RimGroup> groups_of(const SurfaceModel& model) {
+  return find_rim_groups(model, find_boundary_loops(model), {});
 }
 
 /// A rod with one round end, which begins at its other end.
@@ -36,35 +36,35 @@ TriangleSoup rod(double sense) {
   return soup;
 }
 
-TEST(RimPairs, EndsOfRodsThatLookAtEachOther) {
+TEST(RimGroups, EndsOfRodsThatLookAtEachOther) {
   for (const double gap : {0.2, 1.0, 3.0}) {
     const SurfaceModel model = make_surface_model(beside(rod(1), rod(-1), {0, 0.05, -gap}));
-    const std::vector<RimPair> pairs = pairs_of(model);
-    ASSERT_EQ(pairs.size(), 1U) << gap;
-    EXPECT_EQ(pairs[0].kind, RimPair::Kind::tube);
+    const std::vector<RimGroup> groups = groups_of(model);
+    ASSERT_EQ(groups.size(), 1U) << gap;
+    EXPECT_EQ(groups[0].kind, RimGroup::Kind::tube);
     const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
-    for (const int loop : {pairs[0].loops.first, pairs[0].loops.second})
+    for (const int loop : groups[0].loops)
       EXPECT_GT(loops[static_cast<std::size_t>(loop)].diameter, 1.9);  // not the tips
   }
 }
 
-TEST(RimPairs, EndsThatLookAwayOrPastEachOtherAreNoPair) {
-  EXPECT_TRUE(pairs_of(make_surface_model(make_cylinder(1, 32))).empty());
-  EXPECT_TRUE(pairs_of(make_surface_model(beside(rod(1), rod(-1), {2.5, 0, -0.5}))).empty());
-  EXPECT_TRUE(pairs_of(make_surface_model(beside(rod(1), rod(-1), {0, 0, -9}))).empty());
+TEST(RimGroups, EndsThatLookAwayOrPastEachOtherAreNoPair) {
+  EXPECT_TRUE(groups_of(make_surface_model(make_cylinder(1, 32))).empty());
+  EXPECT_TRUE(groups_of(make_surface_model(beside(rod(1), rod(-1), {2.5, 0, -0.5}))).empty());
+  EXPECT_TRUE(groups_of(make_surface_model(beside(rod(1), rod(-1), {0, 0, -9}))).empty());
 }
 
 /// The strips that are named make a hole of the gap, as wide as it is.
-TEST(RimPairs, AGapBetweenSheetsAndTheStripsThatMakeAHoleOfIt) {
+TEST(RimGroups, AGapBetweenSheetsAndTheStripsThatMakeAHoleOfIt) {
   for (const double width : {0.02, 0.1, 0.3})
     for (const int cells : {20, 27}) {
       const SurfaceModel model = make_surface_model(beside(sheet(20), sheet(cells), {2 + width, 0.03, 0}));
-      const std::vector<RimPair> pairs = pairs_of(model);
-      ASSERT_EQ(pairs.size(), 1U);
-      ASSERT_EQ(pairs[0].kind, RimPair::Kind::gap);
-      EXPECT_NEAR(pairs[0].width, width, 1e-9);
+      const std::vector<RimGroup> groups = groups_of(model);
+      ASSERT_EQ(groups.size(), 1U);
+      ASSERT_EQ(groups[0].kind, RimGroup::Kind::gap);
+      EXPECT_NEAR(groups[0].width, width, 1e-9);
       SurfaceModel bridged = model;
-      for (const auto& [a, b] : pairs[0].bridges) bridged = make_surface_model(with_bridge(bridged, a, b));
+      for (const auto& [a, b] : groups[0].bridges) bridged = make_surface_model(with_bridge(bridged, a, b));
       const std::vector<BoundaryLoop> loops = find_boundary_loops(bridged);
       ASSERT_EQ(loops.size(), 2U);
       EXPECT_EQ(loops[1].kind, LoopKind::hole);
@@ -73,9 +73,9 @@ TEST(RimPairs, AGapBetweenSheetsAndTheStripsThatMakeAHoleOfIt) {
     }
 }
 
-TEST(RimPairs, SheetsFarApartOrAcrossACornerHaveNoGap) {
-  EXPECT_TRUE(pairs_of(make_surface_model(beside(sheet(20), sheet(20), {3.2, 0, 0}))).empty());
-  EXPECT_TRUE(pairs_of(make_surface_model(beside(sheet(20), sheet(20), {2.1, 2.1, 0}))).empty());
+TEST(RimGroups, SheetsFarApartOrAcrossACornerHaveNoGap) {
+  EXPECT_TRUE(groups_of(make_surface_model(beside(sheet(20), sheet(20), {3.2, 0, 0}))).empty());
+  EXPECT_TRUE(groups_of(make_surface_model(beside(sheet(20), sheet(20), {2.1, 2.1, 0}))).empty());
 }
 
 }  // namespace
