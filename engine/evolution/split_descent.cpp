@@ -27,9 +27,11 @@ double largest_move(const Patch& before, const Points& after) {
 }  // namespace
 
 SplitDescent::SplitDescent(const EvolvingPatch& patch, const SplitEstimate& estimate, double radius)
-    : estimate_(estimate) {
+    : estimate_(estimate),
+      radius_(radius) {
   if (patch.options.start == SteadyStart::as_given) return;
-  if (estimate.is_exact(nearly_exact))
+  by_flow_ = estimate.is_exact(nearly_exact);
+  if (by_flow_)
     approach_ = std::make_unique<Multilevel>(patch, NearConvergence::cubic_fits);
   else
     approach_ = std::make_unique<RobustFairing>(patch, radius);
@@ -38,8 +40,13 @@ SplitDescent::SplitDescent(const EvolvingPatch& patch, const SplitEstimate& esti
 void SplitDescent::approach(EvolvingPatch& patch, const CancelToken& cancel) {
   approach_->step(patch, cancel);
   if (patch.status == PatchStatus::ready || patch.status == PatchStatus::cancelled) return;
-  approach_.reset();
-  approached_ = {patch.status, patch.message};
+  if (patch.status == PatchStatus::stalled && patch.history.empty()) {  // it could not start
+    if (!std::exchange(by_flow_, false)) return;
+    approach_ = std::make_unique<RobustFairing>(patch, radius_);
+  } else {
+    approach_.reset();
+    approached_ = {patch.status, patch.message};
+  }
   patch.stop(PatchStatus::ready);
 }
 

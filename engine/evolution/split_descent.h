@@ -24,6 +24,8 @@ class SplitDescent : public Stepper {
   void take(EvolvingPatch& patch, const Points& moved, double solve_seconds);
 
   SplitEstimate estimate_;
+  double radius_;                               ///< R of the neighborhood, patch frame
+  bool by_flow_ = false;                        ///< the approach is the flow
   std::unique_ptr<Stepper> approach_;           ///< until it has ended
   std::optional<SplitProblem> problem_;         ///< from then on
   std::pair<PatchStatus, Message> approached_;  ///< how the approach ended

@@ -274,7 +274,7 @@ void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& can
   if (!find_unit(patch, cancel)) return;
   if (!(mu_ > 0)) mu_ = unit_ / (2 * first_sigma);
   add_weights(patch.state, patch.objective, patch.stencil);
-  DampedStep damped(patch, solver_);
+  std::optional<DampedStep> damped(std::in_place, patch, solver_);
   // Else the next state takes from them what has not changed.
   if (patch.state.patch.free_count > largest_kept) drop_weights(patch.state);
   StepRecord record;
@@ -286,7 +286,7 @@ void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& can
     if (patch.stop_if(cancel)) return;
     // Near convergence the next step is probably the last.
     const Fits fits = near_convergence() ? Fits::curvatures : Fits::operators;
-    const StepTrial trial = damped.attempt(patch, mu_, unit_, fits, record, cancel);
+    const StepTrial trial = damped->attempt(patch, mu_, unit_, fits, record, cancel);
     if (trial.accepted) return after_step(patch, record.rejections, energy_before, cancel);
     if (first) predicted = trial.predicted_reduction;
     ++record.rejections;
@@ -294,6 +294,7 @@ void SteadyState::gauss_newton_step(EvolvingPatch& patch, const CancelToken& can
       // The gradient is that of frozen fits, exact to a few percent: close to the minimum it cannot lead further down.
       const bool at_minimum = first || predicted < 1e-2 * energy_before || predicted < 1e-6 * start_measure_;
       if (!at_minimum) return patch.stop(PatchStatus::stalled, say(stalled_text));
+      if (undamped) damped.reset();  // at_rest() makes one of its own
       if (at_rest(patch, undamped, cancel)) return;
       undamped = first = true;
       continue;

@@ -27,8 +27,8 @@ namespace loopmend {
 
 namespace {
 
-/// A boundary whose geodesic curvature is above this share of 2π bounds a sheet. The end of a tube (0) and a hole (−1) are not. A small loop that turns so is a
-/// hole at the tip of something.
+/// A boundary whose geodesic curvature is above this share of 2π bounds a sheet; the end of a tube (0) and a hole (−1) do not. A
+/// small loop that turns so is a hole at the tip of something.
 constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
 /// So does a boundary that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
 /// mask, or a ragged scan seen from one side, however its boundary turns.

@@ -97,13 +97,13 @@ void Place::choose_samples(const Points& points, const std::vector<int>& neighbo
 }
 
 void Place::spread_samples(const Points& points, const std::vector<int>& neighbors) {
-  std::vector<Sample> near;
-  for (int j : neighbors) near.push_back({(points[j] - points[center]).squaredNorm(), j});
-  std::sort(near.begin(), near.end(), [](const Sample& a, const Sample& b) {
+  std::vector<Sample> nearest;
+  for (int j : neighbors) nearest.push_back({(points[j] - points[center]).squaredNorm(), j});
+  std::sort(nearest.begin(), nearest.end(), [](const Sample& a, const Sample& b) {
     return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.vertex < b.vertex);
   });
   samples.clear();
-  for (const Sample& s : near) {
+  for (const Sample& s : nearest) {
     const bool apart = std::all_of(samples.begin(), samples.end(), [&](const Sample& other) {
       return (points[s.vertex] - points[other.vertex]).squaredNorm() >= spread * spread * s.distance2;
     });
