@@ -305,12 +305,16 @@ void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double m
     }
     if (bends[k] > most_at_seam) crease.add(bends[k]);
   }
-  if (creases_ == Creases::asked_for || ends_at(l)) {
+  if (ends_at(l)) {
     verdict.crease_deg.reset();
     return;
   }
-  verdict.crease_deg = crease_of(std::move(unwanted), bends.size());
-  if (torn.counts(torn_seam_share, bends.size()))
+  const bool asked_for = creases_ == Creases::asked_for;  // a person sees it nevertheless
+  if (asked_for)
+    verdict.crease_deg.reset();
+  else
+    verdict.crease_deg = crease_of(std::move(unwanted), bends.size());
+  if (!asked_for && torn.counts(torn_seam_share, bends.size()))
     add_finding(verdict, Grade::bad, {NoticeCode::torn_seam, {torn.mean, static_cast<double>(torn.edges), was.mean}});
   else if (crease.counts(seam_crease_share, bends.size()))
     add_finding(verdict, Grade::look, {NoticeCode::crease, {crease.mean, static_cast<double>(crease.edges)}});

@@ -94,6 +94,8 @@ TEST(Judge, NamesASeamThatBendsMoreThanTheInitialPatch) {
       (std::atan(std::sqrt(3.0) + 1.2 / std::sqrt(3.0)) - std::atan(std::sqrt(3.0))) * 180 / 3.14159265;
   EXPECT_NEAR(worse.findings[0].arguments.at(0), right, 1.5);
   EXPECT_EQ(verdict(sphere, dome, Judge::Creases::asked_for).grade, Grade::good);
+  // A person sees creases that were asked for, too.
+  EXPECT_EQ(verdict(sphere, dome_of(-1), Judge::Creases::asked_for).grade, Grade::look);
   EXPECT_EQ(verdict(dome, dome, Judge::Creases::unwanted).grade, Grade::good);
   EXPECT_EQ(verdict(dome, sphere, Judge::Creases::unwanted).grade, Grade::good);
 }
