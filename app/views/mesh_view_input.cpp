@@ -310,9 +310,7 @@ Viewpoint MeshView::viewpoint_above(int loop) const {
   stand.focus = target.center - document.origin();
   stand.radius = 0.5 * loop_share * target.diameter;
   stand.direction = facing(*scan.model, target);
-  const Vec3 up = pose_of(impl_->camera()).up;
-  const bool usable = std::abs(up.dot(stand.direction)) < 0.9;
-  stand.up = usable ? up : view_up(stand.direction, this->up());
+  stand.up = view_up(stand.direction, up());  // the camera's own would roll further with each flight
   stand.aspect = impl_->aspect();
   vtkNew<vtkCamera> goal;
   goal->DeepCopy(impl_->camera());
