@@ -227,7 +227,8 @@ QString seam_sentence(const SeamReport& before, const SeamReport& now, PatchStat
   const bool tangent = now.g1_rms_deg < tangent_seen_deg;
   const bool curvature = tangent && now.h_jump_rms_times_diameter < curvature_seen;
   QString sentence = tr("Tangent and curvature run through the seam.");
-  if (!tangent) sentence = tr("The patch meets the scan with a crease of %1\u00b0 (rms).").arg(number(now.g1_rms_deg));
+  if (!tangent)
+    sentence = tr("At the seam the normals of patch and scan differ by %1\u00b0 (rms).").arg(number(now.g1_rms_deg));
   if (tangent && !curvature)
     sentence =
         tr("The tangent runs through the seam; the mean curvature jumps by %1 (rms).").arg(number(now.h_jump_rms));
