@@ -82,11 +82,27 @@ void FillController::add_other_patches(int scan, FillTask& task) const {
   }
 }
 
+/// Whether a patch is what this flow makes already, so that it stays as it is.
+bool FillController::is_done(const OpenPatch& patch, EvolutionOptions flow) const {
+  const std::vector<RunRecipe>& runs = patch.state->recipe.runs;
+  if (runs.size() != 1 || runs.back().end != RunRecipe::End::whole || !is_at_end(patch.state->status)) return false;
+  flow.mode = EvolutionMode::steady;
+  flow.edge_edits = document_.edge_edits(patch.scan);
+  RunRecipe wanted = recipe_of(flow);
+  if (const auto plane = document_.mirror_plane(patch.scan)) {
+    wanted.mirror = RunRecipe::Mirror::placed;
+    wanted.mirror_plane = *plane;
+  }
+  wanted.steps = runs.back().steps;
+  wanted.end = runs.back().end;
+  return wanted == runs.back();
+}
+
 FillRun FillController::fill_run(FillRequest& request) {
   std::erase_if(request.loops, [this](int loop) { return document_.patch_of(loop) || !document_.present(loop); });
-  std::erase_if(request.patch_ids, [this](int id) {
+  std::erase_if(request.patch_ids, [this, &flow = request.flow](int id) {
     const OpenPatch* patch = document_.patch(id);
-    return !patch || patch->acceptance == Acceptance::accepted;
+    return !patch || patch->acceptance == Acceptance::accepted || (flow && is_done(*patch, *flow));
   });
   FillOptions options;
   options.evolution = request.flow;
@@ -141,9 +157,15 @@ FillRun FillController::fill_run(FillRequest& request) {
 
 void FillController::start_fill(FillRequest request) {
   if (busy()) return;
+  const bool had_patches = !request.patch_ids.empty();
   FillRun run = fill_run(request);
   const int total = run.loops();
-  if (total == 0) return;
+  if (total == 0) {
+    if (had_patches && request.flow)
+      Q_EMIT notice(
+          tr("These patches are at the end of this flow already. Other options change them, Run steps goes on."));
+    return;
+  }
   std::set<int> loops = request.loops;
   for (int id : request.patch_ids) loops.merge(loops_of(*document_.patch(id)));
   const QString where = labels::holes(document_, loops);

@@ -206,6 +206,7 @@ class FillController : public QObject {
   };
 
   /// Leaves what cannot be filled, or moved, out of the request.
+  bool is_done(const OpenPatch& patch, EvolutionOptions flow) const;
   FillRun fill_run(FillRequest& request);
   void add_other_patches(int scan, FillTask& task) const;
   void start_fill(FillRequest request);

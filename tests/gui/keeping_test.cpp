@@ -57,6 +57,7 @@ class KeepingTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void a_patch_at_its_end_stays_as_it_is();
   void preferences_count_at_once_and_stay();
   void recent_files_are_listed_opened_and_forgotten();
   void closing_saves_first_if_wanted();
@@ -441,6 +442,24 @@ void KeepingTest::states_are_whole_with_every_column() {
   QVERIFY(all_are_whole());
   QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QVERIFY(all_are_whole());
+}
+
+void KeepingTest::a_patch_at_its_end_stays_as_it_is() {
+  Shown window({sample_file(folder_)});
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  const auto states = [&] {
+    std::vector<PatchStatePtr> result;
+    for (const OpenPatch& patch : window.document().patches()) result.push_back(patch.state);
+    return result;
+  };
+  const auto first = states();
+  press(window, "fillAndSmooth");
+  QVERIFY(wait_idle(window));
+  QVERIFY(states() == first);
+  QVERIFY(part<QLabel>(window, "bannerText")->text().contains(QStringLiteral("at the end of this flow")));
+  part<QComboBox>(window, "continuity")->setCurrentIndex(1);  // another choice counts
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  QVERIFY(states() != first);
 }
 
 void KeepingTest::what_will_not_be_saved_is_told_on_opening() {
