@@ -357,8 +357,7 @@ void MainWindow::guard_buttons() {
   }
   // Space opens a list, ticks a box in one, and is nothing to a slider. The table of holes has no use for it: there it runs.
   for (QWidget* widget : findChildren<QWidget*>())
-    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget) || is_value_slider(widget))
-      widget->installEventFilter(this);
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget)) widget->installEventFilter(this);
   // The wheel scrolls the panel that it is over; it turns a value only where that has the focus.
   for (QWidget* widget : findChildren<QWidget*>())
     if (is_turned_by_wheel(widget)) {
@@ -375,7 +374,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
   }
-  if (event->type() == QEvent::ShortcutOverride && !qobject_cast<QAbstractSpinBox*>(watched)) {
+  if (event->type() == QEvent::ShortcutOverride && !qobject_cast<QAbstractSpinBox*>(watched) &&
+      !is_value_slider(qobject_cast<QWidget*>(watched))) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) event->accept();
   }
