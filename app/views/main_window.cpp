@@ -80,7 +80,8 @@ MainWindow::MainWindow(QWidget* parent)
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
   setAcceptDrops(true);
-  resize(QSize(1360, 860).boundedTo(largest_window()));
+  const QSize first_size = QSize(1360, 860).boundedTo(largest_window());
+  resize(first_size);
   build_centre();
   files_ = new FileController(document_, undo_, controller_, check_, visibility_, *banner_, this);
   report_ = new ReportWriter(document_, visibility_, *view_, this);
@@ -110,6 +111,7 @@ MainWindow::MainWindow(QWidget* parent)
   update_title();
   update_actions();
   put_docks_away();
+  resize(first_size);  // again: with all docks one below the other it was taller than a small screen
 }
 
 MainWindow::~MainWindow() {

@@ -6,6 +6,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
+#include "panels/parts.h"
 #include "samples/sample_scan.h"
 #include "views/file_controller.h"
 
@@ -43,6 +44,7 @@ class WindowTest : public QObject {
   void draws_something_real();
   void the_view_has_most_of_the_window_data();
   void the_view_has_most_of_the_window();
+  void a_small_screen_has_room_for_it();
   void the_start_page_has_no_dead_controls();
   void the_panel_has_what_the_step_needs();
   void counts_in_english();
@@ -112,6 +114,27 @@ void WindowTest::the_view_has_most_of_the_window() {
   const double seen =
       static_cast<double>(view.width()) * view.height() / (static_cast<double>(size.width()) * size.height());
   QVERIFY2(seen >= share, qPrintable(QStringLiteral("%1 x %2: %3").arg(view.width()).arg(view.height()).arg(seen)));
+}
+
+/// 1280x720, less the frame: on the start page, with a scan, and with what judges its patches. Its first size follows the
+/// screen on which this runs.
+void WindowTest::a_small_screen_has_room_for_it() {
+  QCOMPARE(MainWindow().size(), QSize(1360, 860).boundedTo(largest_window()));
+  const QSize room(1260, 680);
+  const auto too_large = [&](MainWindow& window) {
+    window.resize(room);
+    settle();
+    const QSize least = window.minimumSizeHint();
+    const bool fits = least == least.boundedTo(room) && window.size() == room;
+    return fits ? QString() : QStringLiteral("%1 x %2").arg(least.width()).arg(least.height());
+  };
+  Shown window({}, Shown::Extent::usual);
+  QCOMPARE(too_large(window), QString());
+  window.open(sample_);
+  QVERIFY(wait_idle(window));
+  QCOMPARE(too_large(window), QString());
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  QCOMPARE(too_large(window), QString());
 }
 
 /// Buttons, lists, fields and tables, wherever they are.
