@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QLabel>
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
@@ -45,6 +46,7 @@ class WindowTest : public QObject {
   void the_view_has_most_of_the_window_data();
   void the_view_has_most_of_the_window();
   void a_small_screen_has_room_for_it();
+  void what_is_opened_is_met_by_its_holes_and_fill();
   void the_start_page_has_no_dead_controls();
   void the_panel_has_what_the_step_needs();
   void counts_in_english();
@@ -135,6 +137,41 @@ void WindowTest::a_small_screen_has_room_for_it() {
   QCOMPARE(too_large(window), QString());
   QVERIFY(press_and_wait(window, "fillAndSmooth"));
   QCOMPARE(too_large(window), QString());
+}
+
+/// Whatever lay in front before, also in the layout that was kept.
+void WindowTest::what_is_opened_is_met_by_its_holes_and_fill() {
+  const auto is_met = [](MainWindow& window) {
+    settle();
+    const auto* fill = window.findChild<QWidget*>(QStringLiteral("fillAndSmooth"));
+    const auto* holes = window.findChild<QWidget*>(QStringLiteral("holesTable"));
+    return fill->isVisible() && fill->visibleRegion().contains(fill->rect().center()) && holes->isVisible() &&
+           !holes->visibleRegion().isEmpty();
+  };
+  for (const char* name : {"candidatesDock", "toolsDock", "sceneDock"}) {
+    Shown window({sample_});
+    QVERIFY(is_met(window));
+    const auto bring = [&] {
+      auto* dock = window.findChild<QDockWidget*>(QLatin1String(name));
+      dock->show();
+      dock->raise();
+      settle();
+      return !is_met(window);
+    };
+    QVERIFY2(bring(), name);
+    window.open(sample_);
+    QVERIFY(wait_idle(window));
+    QVERIFY2(is_met(window), name);
+    QVERIFY2(bring(), name);
+    window.keep_layout();
+    MainWindow next;
+    next.restore_layout();
+    next.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&next));
+    next.open(sample_);
+    QVERIFY(wait_idle(next));
+    QVERIFY2(is_met(next), name);
+  }
 }
 
 /// Buttons, lists, fields and tables, wherever they are.
