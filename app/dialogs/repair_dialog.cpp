@@ -90,12 +90,13 @@ RepairDialog::RepairDialog(const Document& document, FillController& controller,
     for (auto& [defect, row] : rows_) row.found_before.reset();
   });
   connect(&controller_, &FillController::repaired, this, [this](const QString& words) {
-    done_ = words;
     for (auto& [defect, row] : rows_) row.found_before = row.found_at_start;
-    if (!job_) tell();
+    add_answer(words);
   });
+  connect(&controller_, &FillController::nothing_repaired, this, &RepairDialog::add_answer);
   connect(&controller_, &FillController::activity_changed, this, &RepairDialog::update_buttons);
   connect(&controller_, &FillController::stage_changed, this, [this](const QString& stage) {
+    if (!stage.isEmpty()) done_.clear();  // the answer of a former repair is none to this one
     if (job_ || marking_) return;
     stage.isEmpty() ? tell() : summary_->setText(stage + QChar(0x2026));
   });
@@ -213,6 +214,13 @@ void RepairDialog::show_counts(const RepairCounts& counts) {
   }
   tell();
   update_buttons();
+}
+
+/// Each scan has one.
+void RepairDialog::add_answer(const QString& words) {
+  if (!done_.isEmpty()) done_ += QLatin1Char('\n');
+  done_ += words;
+  if (!job_) tell();
 }
 
 /// What was done last, and how the scan is.

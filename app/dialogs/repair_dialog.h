@@ -46,6 +46,7 @@ class RepairDialog : public QDialog {
   /// Counts again, off the window's thread.
   void count();
   void show_counts(const RepairCounts& counts);
+  void add_answer(const QString& words);
   void tell();
   /// Marks it, and goes to its largest place; once more: to the next.
   void show_defect(Defect defect);
@@ -61,7 +62,7 @@ class RepairDialog : public QDialog {
   DefectPlaces places_;
   std::size_t next_place_ = 0;
   std::map<Defect, Row> rows_;
-  QString done_;  ///< by the last repair
+  QString done_;  ///< by the last repair, or why it did nothing
   SteadyLabel* summary_ = nullptr;
   QPushButton* all_ = nullptr;
 };

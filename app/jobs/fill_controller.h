@@ -176,7 +176,9 @@ class FillController : public QObject {
   void repair_questioned(const RepairQuestion& question);
   /// A trim or a stitch is computed; without an answer nothing changes.
   void repair_proposed(const RepairQuestion& question);
-  void repaired(const QString& words);   ///< what was done to scans
+  void repaired(const QString& words);  ///< what was done to scans
+  /// Why a repair changed nothing of a scan, or of any.
+  void nothing_repaired(const QString& words);
   void left_open(const QString& words);  ///< holes that could not be filled
   void failed(const QString& words);
   void notice(const QString& words);

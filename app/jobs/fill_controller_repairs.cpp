@@ -195,13 +195,17 @@ void FillController::apply_repaired(const std::vector<RepairedScan>& all, ScanRe
   for (const RepairedScan& one : all) {
     if (!one.made) {
       Q_EMIT notice(labels::sentence(one.words));
+      Q_EMIT nothing_repaired(labels::sentence(one.words));
       continue;
     }
     changed = true;
     to_fill.merge(take_repaired(one));
     if (what != ScanRepair::bridge && what != ScanRepair::erase) Q_EMIT repaired(one.words);
   }
-  if (all.empty()) Q_EMIT notice(nothing_to_repair(what));
+  if (all.empty()) {
+    Q_EMIT notice(nothing_to_repair(what));
+    Q_EMIT nothing_repaired(nothing_to_repair(what));
+  }
   if (!to_fill.empty()) Q_EMIT holes_made(to_fill);
   if (!then || !changed) return;
   if (to_fill.empty()) {

@@ -88,7 +88,7 @@ void CandidateCard::resizeEvent(QResizeEvent* event) {
 void CandidateCard::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const bool lit = underMouse() || hasFocus(), here = place_ == Place::in_place;
+  const bool lit = isEnabled() && (underMouse() || hasFocus()), here = place_ == Place::in_place;
   const QColor accent = palette().color(QPalette::Highlight);
   QColor ground = here ? accent : palette().color(QPalette::Base);
   if (here) ground.setAlphaF(0.14);
@@ -97,10 +97,12 @@ void CandidateCard::paintEvent(QPaintEvent*) {
   painter.setBrush(ground);
   painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
   const QRect picture = picture_rect();
+  painter.setOpacity(isEnabled() ? 1 : 0.35);
   if (picture_.isNull())
     painter.fillRect(picture, palette().color(QPalette::AlternateBase));
   else
     painter.drawImage(picture, picture_);
+  painter.setOpacity(1);
   const QColor ink = palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Text);
   const int line = fontMetrics().lineSpacing(), wide = picture.width();
   int top = picture.bottom() + frame_px;

@@ -197,6 +197,7 @@ void CandidatesPanel::update_cards() {
         candidates_.take(looked_at());
       });
       connect(card, &CandidateCard::looked_at, this, [this, kind] {
+        if (!cards_.at(kind)->isEnabled()) return;
         looked_at_ = kind;
         Q_EMIT look_changed();
       });
@@ -243,12 +244,17 @@ void CandidatesPanel::update_state() {
                        .arg(candidates_.total()));
   else if (shown && !of_shown && loop != no_loop)
     note_->setText(tr("Press Compute for %1.").arg(labels::holes(document_, {loop})));
-  else if (shown)
+  else if (of_shown)
     note_->setText(tr("Point at one to see it in the view; click to take it."));
   else
     note_->setText(loop == no_loop ? tr("Select one hole that is filled, and not accepted yet.")
                                    : tr("Press Compute for other patches: flat, tangent, robust and more."));
-  for (const auto& [kind, card] : cards_) card->setEnabled(!controller_.busy());
+  // What a click takes is for the hole that is selected.
+  const bool usable = of_shown && !controller_.busy();
+  for (const auto& [kind, card] : cards_) card->setEnabled(usable);
+  if (usable || !looked_at_) return;
+  looked_at_.reset();
+  Q_EMIT look_changed();
 }
 
 }  // namespace loopmend

@@ -138,6 +138,7 @@ void DecisionBox::update_timeline() {
     if (!longest || patch->timeline->size() > longest->timeline->size()) longest = patch;
   }
   const bool usable = longest && longest->timeline->size() > 1;
+  if (controller_.busy()) timeline_->clearFocus();  // else the next control takes it, and the Space that would pause
   timeline_->setEnabled(usable && !controller_.busy());
   player_->update_state();
   if (!longest) {

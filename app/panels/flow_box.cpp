@@ -177,6 +177,7 @@ void FlowBox::update_state() {
   continuity_->setEnabled(of_mmcvf);
   relief_->setEnabled(idle);
   edges_->setEnabled(of_mmcvf);
+  if (!idle) sigma_->clearFocus();  // else the next control takes it, and the Space that would pause
   sigma_->setEnabled(idle);
   for (QPushButton* button : {step_, steps_}) button->setEnabled(idle && !to_move.empty());
   compare_->setEnabled(document_.has_scan());

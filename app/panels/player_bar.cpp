@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QPushButton>
 #include <QSlider>
@@ -60,7 +61,9 @@ void PlayerBar::add_to_rest(QWidget* widget) {
 }
 
 bool PlayerBar::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress) pause();
+  // The key of Shift alone begins Shift+Space, which pauses by itself.
+  const bool is_key = event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() != Qt::Key_Shift;
+  if (event->type() == QEvent::MouseButtonPress || is_key) pause();
   return QWidget::eventFilter(watched, event);
 }
 

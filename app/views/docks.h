@@ -24,6 +24,7 @@ class Docks : public QObject {
   const QList<QAction*>& toggles() const { return toggles_; }
   /// While nothing is open: none of them has anything to show.
   void put_away(bool away);
+  bool are_away() const { return !kept_.isEmpty(); }
   /// As they lie, or lay before they were put away.
   QByteArray state() const;
   void restore(const QByteArray& state);

@@ -80,7 +80,8 @@ MainWindow::MainWindow(QWidget* parent)
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(application_icon());
   setAcceptDrops(true);
-  resize(QSize(1360, 860).boundedTo(largest_window()));
+  const QSize first_size = QSize(1360, 860).boundedTo(largest_window());
+  resize(first_size);
   build_centre();
   files_ = new FileController(document_, undo_, controller_, check_, visibility_, *banner_, this);
   report_ = new ReportWriter(document_, visibility_, *view_, this);
@@ -110,6 +111,7 @@ MainWindow::MainWindow(QWidget* parent)
   update_title();
   update_actions();
   put_docks_away();
+  resize(first_size);  // again: with all docks one below the other it was taller than a small screen
 }
 
 MainWindow::~MainWindow() {
@@ -253,6 +255,7 @@ void MainWindow::connect_document() {
     if (look_->look().shading == Shading::scan) look_->set_shading(Shading::curvature);
     selection_.clear();
     banner_->hide();
+    bring_fill_to_front();
     files_->offer_recovery_again();
   });
   connect(&document_, &Document::scans_changed, this, [this] {
@@ -355,10 +358,9 @@ void MainWindow::guard_buttons() {
     button->setFocusPolicy(ticks ? Qt::StrongFocus : Qt::TabFocus);
     button->installEventFilter(this);
   }
-  // Space opens a list, ticks a box in one, and is nothing to a slider. The table of holes has no use for it: there it runs.
+  // Space opens a list, and ticks a box in one. The table of holes and the sliders have no use for it: there it runs.
   for (QWidget* widget : findChildren<QWidget*>())
-    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget) || is_value_slider(widget))
-      widget->installEventFilter(this);
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QTreeWidget*>(widget)) widget->installEventFilter(this);
   // The wheel scrolls the panel that it is over; it turns a value only where that has the focus.
   for (QWidget* widget : findChildren<QWidget*>())
     if (is_turned_by_wheel(widget)) {
@@ -375,7 +377,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
   }
-  if (event->type() == QEvent::ShortcutOverride && !qobject_cast<QAbstractSpinBox*>(watched)) {
+  if (event->type() == QEvent::ShortcutOverride && !qobject_cast<QAbstractSpinBox*>(watched) &&
+      !is_value_slider(qobject_cast<QWidget*>(watched))) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) event->accept();
   }
@@ -389,7 +392,16 @@ void MainWindow::show_centre() {
 }
 
 /// While a first scan is read its progress is seen, and can be cancelled.
-void MainWindow::put_docks_away() { docks_->put_away(!document_.has_scan() && !controller_.busy()); }
+void MainWindow::put_docks_away() {
+  const bool were_away = docks_->are_away();
+  docks_->put_away(!document_.has_scan() && !controller_.busy());
+  if (were_away && !docks_->are_away()) bring_fill_to_front();
+}
+
+/// The holes of what is opened, and the button that fills them with its progress; whatever was in front for the last file.
+void MainWindow::bring_fill_to_front() {
+  for (const char* name : {"holesDock", "patchDock"}) findChild<QDockWidget*>(QLatin1String(name))->raise();
+}
 
 void MainWindow::follow_scan_colors() {
   const std::vector<int> scans = document_.scans();

@@ -110,6 +110,7 @@ class MainWindow : public QMainWindow {
   void update_title();
   void show_centre();
   void put_docks_away();
+  void bring_fill_to_front();
 
   Document document_;
   SceneVisibility visibility_;

@@ -92,6 +92,7 @@ class CandidatesTest : public QObject {
   void cards_show_pictures_and_the_view_shows_the_one_under_the_mouse();
   void pictures_turn_with_the_view();
   void one_is_taken_and_one_step_of_undo_takes_it_back();
+  void cards_of_another_hole_cannot_be_taken();
   void cancelled_at_once_and_nothing_changes();
   void the_view_keeps_its_room();
   void what_is_taken_has_the_bits_of_the_command_that_is_copied_data();
@@ -175,6 +176,43 @@ void CandidatesTest::one_is_taken_and_one_step_of_undo_takes_it_back() {
   // What leads away from all of them drops them.
   window.controller().reject({document.patch_of(hole)->id});
   QVERIFY(window.candidates().candidates().empty());
+}
+
+void CandidatesTest::cards_of_another_hole_cannot_be_taken() {
+  Shown window({sample_file(folder_)});
+  const Document& document = window.document();
+  const int hole = first_hole(document);
+  int other = hole + 1;
+  while (!document.fillable(other)) ++other;
+  QVERIFY(fill_hole(window, other) && fill_hole(window, hole));
+  QVERIFY(compute(window));
+  const PatchStatePtr before = document.patch_of(hole)->state, before_other = document.patch_of(other)->state;
+  CandidateCard* flat = part<CandidatesPanel>(window, "candidatesPanel")->card(CandidateKind::flat);
+  reveal(flat);
+  const auto note = [&] { return part<QLabel>(window, "candidatesNote")->text(); };
+  for (const std::set<int>& selected : {std::set<int>{other}, std::set<int>{}, std::set<int>{hole, other}}) {
+    window.selection().select(selected);
+    QVERIFY(settle());
+    shoot(window, "candidates_of_another");
+    const QImage picture = window.view().picture();
+    QTest::mouseMove(flat, flat->rect().center());
+    QTest::mouseClick(flat, Qt::LeftButton);
+    QVERIFY(!flat->isEnabled());
+    QCOMPARE(document.patch_of(hole)->state, before);
+    QCOMPARE(document.patch_of(other)->state, before_other);
+    QCOMPARE(part<CandidatesPanel>(window, "candidatesPanel")->looked_at(), -1);
+    QVERIFY(picture_returns(window, picture));
+    QVERIFY2(note().startsWith(selected.size() == 1 ? QStringLiteral("Press Compute for hole ")
+                                                    : QStringLiteral("Select one hole that is filled")),
+             qPrintable(note()));
+    QTest::mouseMove(window.view().canvas(), QPoint(5, 5));
+  }
+  window.selection().select({hole});
+  QVERIFY(flat->isEnabled());
+  QTest::mouseClick(flat, Qt::LeftButton);
+  QVERIFY(document.patch_of(hole)->state != before);
+  QCOMPARE(document.patch_of(other)->state, before_other);
+  QVERIFY(flat->isEnabled());  // the hole is still the one that is selected
 }
 
 void CandidatesTest::cancelled_at_once_and_nothing_changes() {

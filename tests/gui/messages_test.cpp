@@ -4,6 +4,7 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "dialogs/repair_dialog.h"
 #include "document/language.h"
 #include "document/run_curves.h"
 #include "panels/banner.h"
@@ -108,6 +109,7 @@ class MessagesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void a_repair_that_does_nothing_says_so_in_its_dialog();
   void a_message_is_seen_whole_data();
   void a_message_is_seen_whole();
   void messages_name_their_file();
@@ -433,6 +435,34 @@ void MessagesTest::the_seam_table_shows_its_values_whole() {
   install_language(QStringLiteral("en"));
   QVERIFY(cells > 20 && changed > 10);
   QVERIFY2(cut_off.isEmpty(), qPrintable(cut_off.join(QLatin1Char('\n'))));
+}
+
+/// A ball, and one with a hole that runs through it: they cannot be united.
+void MessagesTest::a_repair_that_does_nothing_says_so_in_its_dialog() {
+  const QTemporaryDir folder;
+  const TriangleSoup ball = make_icosphere(3);
+  TriangleSoup other = cut(ball, [](const Vec3& p) { return p.z() > 0.9; });
+  for (Vec3& p : other.points) p += Vec3(0.011, 0.017, 1.013);
+  TriangleSoup both = joined({ball, other});
+  both.triangles.push_back({3, 3, 4});
+  Shown window({scan_file(folder, QStringLiteral("crossing.ply"), both)});
+  press(window, "repair");
+  auto* dialog = window.findChild<RepairDialog*>();
+  QVERIFY(dialog);
+  const auto summary = [&] { return dialog->findChild<QLabel*>(QStringLiteral("repairSummary"))->text(); };
+  const auto fix = [&](const char* name) {
+    auto* button = dialog->findChild<QPushButton*>(QLatin1String(name));
+    if (!wait_until([&] { return button->isEnabled(); })) return false;
+    QTest::mouseClick(button, Qt::LeftButton);
+    return wait_idle(window) && wait_until([&] { return !summary().contains(QChar(0x2026)); });
+  };
+  QVERIFY(fix("fixDegenerate"));
+  const QString former = QStringLiteral("Ctrl+Z takes it back.");
+  QVERIFY2(summary().contains(former), qPrintable(summary()));
+  QVERIFY(fix("fixOverlapping"));
+  QVERIFY2(summary().contains(QStringLiteral("fill the holes, then unite.")), qPrintable(summary()));
+  QVERIFY2(!summary().contains(former), qPrintable(summary()));
+  QCOMPARE(summary().split(QLatin1Char('\n')).first(), part<Banner>(window, "banner")->text());
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<MessagesTest>(); }

@@ -9,6 +9,7 @@
 #include "samples/analytic_surfaces.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -77,6 +78,7 @@ class PlayerTest : public QObject {
   void the_pace_is_what_it_says();
   void a_pause_is_one_change_for_undo();
   void space_and_escape_pause();
+  void space_runs_and_plays_with_the_focus_on_a_slider();
   void it_goes_on_again_and_again_until_something_else_is_done();
   void the_next_state_comes_by_a_key();
   void there_is_nothing_to_play_without_states();
@@ -177,6 +179,30 @@ void PlayerTest::space_and_escape_pause() {
   trigger(window, "playAction");
   QTest::mouseClick(timeline, Qt::LeftButton, {}, timeline->rect().center());
   QVERIFY(!is_playing(window));
+}
+
+/// A click on the timeline leaves the focus there.
+void PlayerTest::space_runs_and_plays_with_the_focus_on_a_slider() {
+  Shown window({sample_file(folder_)});
+  const Flow flow(window);
+  QVERIFY(flow.ready);
+  choose_pace(window, 1);
+  for (const char* name : {"timeline", "sigma"}) {
+    auto* slider = part<QSlider>(window, name);
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(4, slider->height() / 2));
+    QVERIFY2(slider->hasFocus(), name);
+    QVERIFY(!is_playing(window) && !window.controller().busy());
+    QTest::keyClick(slider, Qt::Key_Space, Qt::ShiftModifier);
+    QVERIFY2(is_playing(window), name);
+    QTest::keyClick(slider, Qt::Key_Space, Qt::ShiftModifier);
+    QVERIFY2(!is_playing(window) && !window.controller().busy(), name);
+    QTest::keyClick(slider, Qt::Key_Space);
+    QVERIFY2(window.controller().busy(), name);
+    QWidget* focused = QApplication::focusWidget();  // no control that would answer to Space
+    QTest::keyClick(focused ? focused : &window, Qt::Key_Space);
+    QVERIFY2(window.controller().activity() == Activity::pausing || !window.controller().busy(), name);
+    QVERIFY(wait_idle(window));
+  }
 }
 
 void PlayerTest::it_goes_on_again_and_again_until_something_else_is_done() {

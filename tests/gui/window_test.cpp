@@ -6,11 +6,13 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "panels/banner.h"
+#include "panels/parts.h"
 #include "samples/sample_scan.h"
 #include "views/file_controller.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QLabel>
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
@@ -43,6 +45,8 @@ class WindowTest : public QObject {
   void draws_something_real();
   void the_view_has_most_of_the_window_data();
   void the_view_has_most_of_the_window();
+  void a_small_screen_has_room_for_it();
+  void what_is_opened_is_met_by_its_holes_and_fill();
   void the_start_page_has_no_dead_controls();
   void the_panel_has_what_the_step_needs();
   void counts_in_english();
@@ -112,6 +116,62 @@ void WindowTest::the_view_has_most_of_the_window() {
   const double seen =
       static_cast<double>(view.width()) * view.height() / (static_cast<double>(size.width()) * size.height());
   QVERIFY2(seen >= share, qPrintable(QStringLiteral("%1 x %2: %3").arg(view.width()).arg(view.height()).arg(seen)));
+}
+
+/// 1280x720, less the frame: on the start page, with a scan, and with what judges its patches. Its first size follows the
+/// screen on which this runs.
+void WindowTest::a_small_screen_has_room_for_it() {
+  QCOMPARE(MainWindow().size(), QSize(1360, 860).boundedTo(largest_window()));
+  const QSize room(1260, 680);
+  const auto too_large = [&](MainWindow& window) {
+    window.resize(room);
+    settle();
+    const QSize least = window.minimumSizeHint();
+    const bool fits = least == least.boundedTo(room) && window.size() == room;
+    return fits ? QString() : QStringLiteral("%1 x %2").arg(least.width()).arg(least.height());
+  };
+  Shown window({}, Shown::Extent::usual);
+  QCOMPARE(too_large(window), QString());
+  window.open(sample_);
+  QVERIFY(wait_idle(window));
+  QCOMPARE(too_large(window), QString());
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  QCOMPARE(too_large(window), QString());
+}
+
+/// Whatever lay in front before, also in the layout that was kept.
+void WindowTest::what_is_opened_is_met_by_its_holes_and_fill() {
+  const auto is_met = [](MainWindow& window) {
+    settle();
+    const auto* fill = window.findChild<QWidget*>(QStringLiteral("fillAndSmooth"));
+    const auto* holes = window.findChild<QWidget*>(QStringLiteral("holesTable"));
+    return fill->isVisible() && fill->visibleRegion().contains(fill->rect().center()) && holes->isVisible() &&
+           !holes->visibleRegion().isEmpty();
+  };
+  for (const char* name : {"candidatesDock", "toolsDock", "sceneDock"}) {
+    Shown window({sample_});
+    QVERIFY(is_met(window));
+    const auto bring = [&] {
+      auto* dock = window.findChild<QDockWidget*>(QLatin1String(name));
+      dock->show();
+      dock->raise();
+      settle();
+      return !is_met(window);
+    };
+    QVERIFY2(bring(), name);
+    window.open(sample_);
+    QVERIFY(wait_idle(window));
+    QVERIFY2(is_met(window), name);
+    QVERIFY2(bring(), name);
+    window.keep_layout();
+    MainWindow next;
+    next.restore_layout();
+    next.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&next));
+    next.open(sample_);
+    QVERIFY(wait_idle(next));
+    QVERIFY2(is_met(next), name);
+  }
 }
 
 /// Buttons, lists, fields and tables, wherever they are.
