@@ -28,6 +28,11 @@ if(LOOPMEND_HOME_PAGE)
   string(CONFIGURE "${web_lines}" LOOPMEND_METAINFO_WEB @ONLY)
 endif()
 
+# Debian 12 and 13 each have their packages, those of 13 are the newer ones: 0.1.0+debian13.
+cmake_host_system_information(RESULT system QUERY DISTRIB_ID DISTRIB_VERSION_ID)
+list(JOIN system "" system)
+set(LOOPMEND_DEB_VERSION ${PROJECT_VERSION}+${system})
+
 set(made ${PROJECT_BINARY_DIR}/packaging)
 find_program(LOOPMEND_GZIP gzip REQUIRED)
 set(compressed_files "")
@@ -81,7 +86,7 @@ macro(package component name depends description)
   set(CPACK_COMPONENT_${upper}_DESCRIPTION "${description}")
   install(FILES ${debian}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/${name} COMPONENT ${component})
 endmacro()
-package(application loopmend "loopmend-cli (= ${PROJECT_VERSION}), loopmend-pictures (= ${PROJECT_VERSION}), qttranslations5-l10n"
+package(application loopmend "loopmend-cli (= ${LOOPMEND_DEB_VERSION}), loopmend-pictures (= ${LOOPMEND_DEB_VERSION}), qttranslations5-l10n"
 "The window shows scans, their boundary loops, and patches that a geometric
 flow shapes while you watch. It gives figures for the seam, compares flows,
 and exports STL, PLY, OBJ, OFF, glTF, 3MF and VTK polydata.")
@@ -89,12 +94,12 @@ package(command_line loopmend-cli ""
 "The command line fills holes, joins boundary loops of several meshes, smooths
 regions and, with loopmend-pictures, draws. It reads and writes PLY, STL, OBJ, OFF, glTF and 3MF.")
 if(TARGET loopmend_pictures)
-  package(pictures loopmend-pictures "loopmend-cli (= ${PROJECT_VERSION})"
+  package(pictures loopmend-pictures "loopmend-cli (= ${LOOPMEND_DEB_VERSION})"
 "What the command line draws pictures with: thumbnails of the file manager, the
 command render, and the pages of batch. It reads and writes VTK polydata, and
 brings VTK and OpenGL.")
   set(CPACK_DEBIAN_PICTURES_PACKAGE_RECOMMENDS libgl1-mesa-dri)  # on machines without a graphics driver
-  set(CPACK_DEBIAN_COMMAND_LINE_PACKAGE_RECOMMENDS "loopmend-pictures (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_COMMAND_LINE_PACKAGE_RECOMMENDS "loopmend-pictures (= ${LOOPMEND_DEB_VERSION})")
 endif()
 package(development libloopmend-dev
 "libeigen3-dev, libopenmesh-dev, libcgal-dev, libsuitesparse-dev, libopenblas-pthread-dev, libtbb-dev, zlib1g-dev, libpng-dev, libjpeg62-turbo-dev, libexpat1-dev, libzip-dev, nlohmann-json3-dev"
@@ -123,6 +128,7 @@ set(CPACK_COMPONENTS_IGNORE_GROUPS ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_VERSION ${LOOPMEND_DEB_VERSION})
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_OUTPUT_FILE_PREFIX ${PROJECT_BINARY_DIR}/packages)

@@ -73,6 +73,11 @@ class EglRenderWindow : public vtkGenericOpenGLRenderWindow {
   int SupportsOpenGL() override { return 1; }
   vtkTypeBool IsDirect() override { return 1; }
   void Frame() override {}
+  // There are none without a surface. VTK 9.3 would ask OpenGL, and prints that it failed.
+  int GetColorBufferSizes(int* rgba) override {
+    for (int i = 0; i < 4; ++i) rgba[i] = 0;
+    return 0;
+  }
 
  protected:
   EglRenderWindow() = default;

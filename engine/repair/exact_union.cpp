@@ -35,13 +35,12 @@ struct Body {
   Mesh::Property_map<Face, int> face;
   Mesh::Property_map<Vertex, int> point;
 
-  Body()
-      : face(mesh.add_property_map<Face, int>("f:soup", -1).first),
+  /// A copied mesh has the maps, which add_property_map then returns.
+  explicit Body(const Mesh& copied = {})
+      : mesh(copied),
+        face(mesh.add_property_map<Face, int>("f:soup", -1).first),
         point(mesh.add_property_map<Vertex, int>("v:soup", -1).first) {}
-  Body(const Body& other)
-      : mesh(other.mesh),
-        face(mesh.property_map<Face, int>("f:soup").first),
-        point(mesh.property_map<Vertex, int>("v:soup").first) {}
+  Body(const Body& other) : Body(other.mesh) {}
   Body& operator=(const Body&) = delete;
 };
 
