@@ -305,11 +305,12 @@ void Judge::judge_seam(std::size_t l, const std::vector<double>& bends, double m
     }
     if (bends[k] > most_at_seam) crease.add(bends[k]);
   }
-  if (ends_at(l)) {
+  const bool asked_for = creases_ == Creases::asked_for;              // a person sees it nevertheless
+  const bool between_walls = asked_for && initial_bends_.size() > 1;  // which end there, at a corner
+  if (ends_at(l) || between_walls) {
     verdict.crease_deg.reset();
     return;
   }
-  const bool asked_for = creases_ == Creases::asked_for;  // a person sees it nevertheless
   if (asked_for)
     verdict.crease_deg.reset();
   else

@@ -150,7 +150,7 @@ void AccessTest::keys_belong_to_what_has_the_focus() {
   QVERIFY(turn() != chosen);
   boundary->setCurrentIndex(chosen);
 
-  for (const char* name : {"boundary", "flow", "shading", "sigma"}) {
+  for (const char* name : {"boundary", "flow", "shading"}) {
     auto* at = part<QWidget>(window, name);
     QVERIFY2(at, name);
     for (QWidget* dock = at; dock; dock = dock->parentWidget())
