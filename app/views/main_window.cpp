@@ -398,7 +398,7 @@ void MainWindow::put_docks_away() {
   if (were_away && !docks_->are_away()) bring_fill_to_front();
 }
 
-/// The holes of what is opened, and the button that fills them with its progress; whatever was in front for the last file.
+/// The table of holes, and the button that fills them with its progress, whatever dock was in front for the last file.
 void MainWindow::bring_fill_to_front() {
   for (const char* name : {"holesDock", "patchDock"}) findChild<QDockWidget*>(QLatin1String(name))->raise();
 }

@@ -25,7 +25,7 @@ namespace loopmend {
 
 namespace {
 
-constexpr int bridge_remesh_rounds = 5, untangling_rounds = 3;
+constexpr int bridge_remesh_rounds = 5, untanglings = 3;
 constexpr int membrane_rounds = 2;  ///< more pinch the necks between loops that are far apart
 constexpr int fairing_rounds = 4;
 /// A fairing that takes so many times the area is a bubble: it would be remeshed into millions of triangles. Those of 64 blends and of
@@ -204,7 +204,7 @@ Patch remeshed(Patch bridge, const CancelToken& cancel) {
   try_phase(bridge, [&](ConstrainedRemesher& mesh) {
     for (int k = 0; k < bridge_remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
   });
-  for (int attempt = 0; attempt < untangling_rounds && defect_count(patch_validity(bridge)) > 0 && !cancel.cancelled();
+  for (int attempt = 0; attempt < untanglings && defect_count(patch_validity(bridge)) > 0 && !cancel.cancelled();
        ++attempt)
     try_phase(bridge, [](ConstrainedRemesher& mesh) {
       mesh.untangle();
@@ -356,7 +356,7 @@ std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<
       ConstrainedRemesher mesh = open_for_remeshing(ring);
       for (int k = 0; k < bridge_remesh_rounds && !cancel.cancelled(); ++k) remesh_once(mesh);
       Patch next = with_interior(ring, mesh);
-      for (int attempt = 0; attempt < untangling_rounds && !is_sound_ring(next) && !cancel.cancelled(); ++attempt) {
+      for (int attempt = 0; attempt < untanglings && !is_sound_ring(next) && !cancel.cancelled(); ++attempt) {
         mesh.untangle();
         remesh_once(mesh);
         next = with_interior(ring, mesh);
@@ -407,8 +407,8 @@ std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::v
                                          const CancelToken& cancel) {
   constexpr int fewest_edges_of_a_bore = 8;
   constexpr double shortest_onward = 0.5;  // of walls that are steep along most of the loop
-  constexpr double coarse = 0.25;  // density: whether there is a ring depends on it at noisy rims of many bores alone
-  constexpr int few_edges = 1000;  // of a group: a ring as blend makes it takes no second
+  constexpr double coarse = 0.25;          // density; it matters at noisy loops around many bores alone
+  constexpr int few_edges = 1000;          // of a group: at full density a ring takes less than a second
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
   const auto may_end = [&](std::size_t k) {
     const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
@@ -442,8 +442,7 @@ std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::v
   std::vector<std::vector<int>> rings;
   std::set<int> seen;
   for (const std::vector<int>& group : groups_with_bores(ends, pairs)) {
-    const bool is_free = std::ranges::none_of(group, [&](int k) { return seen.contains(k); });
-    if (!is_free || !are_joined(group)) continue;
+    if (std::ranges::any_of(group, [&](int k) { return seen.contains(k); }) || !are_joined(group)) continue;
     seen.insert(group.begin(), group.end());
     rings.push_back(group);
   }

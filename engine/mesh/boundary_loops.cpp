@@ -44,7 +44,7 @@ constexpr double noisy_plane_cut = 0.03, onward_at_cut = 0.5;
 constexpr double widest_slot = 0.5;
 /// Sides of a bent slot are so near to each other along four fifths of it, in perimeters, and so far from each other along the loop.
 constexpr double near_sides = 1.0 / 60, far_along = 1.0 / 20, share_of_sides = 0.8;
-/// An exact sphere (rms distance in radii; of coordinates in single precision 1e-7) of which more than a cap of 45° is left is no sheet.
+/// An exact sphere (rms distance in radii; of coordinates in single precision 1e-7) with more than a cap of 45° left is no sheet.
 constexpr double on_sphere = 1e-4, sphere_depth = 0.2;
 constexpr std::size_t most_places = 100;  ///< of a loop, from which its other side is sought
 

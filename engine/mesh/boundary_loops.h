@@ -52,8 +52,8 @@ struct BoundaryLoop {
   int edges() const { return static_cast<int>(vertices.size()); }
 };
 
-/// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says. Of an exact sphere what
-/// is missing is known, so that its opening is a hole.
+/// Whether it turns and lies as a hole does, and not as the outline of a sheet, whatever else its kind says. The opening of an
+/// exact sphere is a hole, since its missing part is known.
 bool is_shaped_like_a_hole(const BoundaryLoop& loop);
 
 /// Why it is an outer rim and no hole, without a full stop; empty for other kinds.

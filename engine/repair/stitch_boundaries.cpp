@@ -26,7 +26,7 @@ namespace bg = boost::geometry;
 /// Joined vertices lie nearer to each other than this share of the shortest boundary edge there, or a long triangle's short side would
 /// be closed by its neighbours. Edges shorter than `no_edge` of the mean are slivers.
 constexpr double share_of_shortest = 0.4, no_edge = 1e-3;
-/// Longer boundary edges, in medians of all, count as if they were so long: those of spikes at missing data do not say what is near.
+/// Longer boundary edges, in medians of all, count as if they were so long: those of spikes at missing data do not tell which vertices are near.
 constexpr double longest_of_median = 10;
 /// Two faces that would form a crevice narrower than 30 degrees, normals to normals: bodies that touch there, not sides of a crack.
 constexpr double crevice = -0.866;

@@ -311,7 +311,7 @@ TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   EXPECT_TRUE(why_outer_rim(cap(-0.5)).empty());
 }
 
-/// Of a sphere what is missing is known, but 40° of one may be a lens, and one that is measured a dish.
+/// The missing part of a sphere is known; but a cap of 40° may be a lens, and a measured sphere a dish.
 TEST(BoundaryLoops, TheOpeningOfASphereIsAHole) {
   const auto kind_of_cap = [](double degrees, double noise) {
     const double height = std::cos(degrees * std::numbers::pi / 180);

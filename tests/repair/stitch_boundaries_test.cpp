@@ -243,7 +243,7 @@ TEST(StitchBoundaries, BodiesThatTouchStayApart) {
   }
 }
 
-/// The edges of spikes at missing data are long, and say nothing of what is near.
+/// The edges of spikes at missing data are long, and tell nothing of which vertices are near.
 TEST(StitchBoundaries, SpikesDoNotJoinTheOutlineBesideThem) {
   TriangleSoup soup = tile(0, 20, 20, 20, 20);
   for (const int x : {5, 7, 9, 11}) soup.points[static_cast<std::size_t>(x)].z() = -9999;
