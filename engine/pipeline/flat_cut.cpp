@@ -20,9 +20,11 @@ namespace {
 
 constexpr int fewest_edges = 4;
 constexpr double exact_planarity = 0.003;
-constexpr double most_planarity = 0.1;  ///< above, the loop's plane says nothing about the wall
-constexpr double steep = 0.5;           ///< sine of the angle between surface and plane, median along the loop
-constexpr double still_steep = 0.35;    ///< the same, for all but the share of the loop that may be torn:
+constexpr double most_planarity = 0.1;  ///< above, the loop's plane says nothing about the wall, but its rulings may:
+constexpr double most_planarity_of_a_tube = 0.25, along_rulings = 0.65;
+constexpr int fewest_round_a_tube = 8;
+constexpr double steep = 0.5;         ///< sine of the angle between surface and plane, median along the loop
+constexpr double still_steep = 0.35;  ///< the same, for all but the share of the loop that may be torn:
 constexpr double torn_share = 0.1;
 /// A loop that is less plane than this may as well be a hole in a steep hill. Chosen on scanned and torn bases of planarity above 0.003
 /// (0.91 to 1, but for 0.61 at 0.0032) and holes on top of a bump (0.42 to 0.68).
@@ -95,12 +97,16 @@ class NormalsOfWall {
     }
   }
 
-  /// Change of the normals' component along the direction in which they differ least, over the distance in that direction, 1/length.
-  double turning() const {
-    if (!(weight_ > 0)) return 0;
+  /// Unit: in which the normals differ least, along the rulings of a cylinder or a prism; zero without faces.
+  Vec3 rulings() const {
+    if (!(weight_ > 0)) return Vec3::Zero();
     const Vec3 mean = sum_ / weight_;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(squares_ / weight_ - mean * mean.transpose());
-    const Vec3 direction = axes.eigenvectors().col(0);
+    return axes.eigenvectors().col(0);
+  }
+  /// Change of the normals' component along rulings(), over the distance in that direction, 1/length.
+  double turning() const {
+    const Vec3 direction = rulings();
     const double spread = direction.dot(spread_ * direction);
     return spread > 0 ? std::abs(direction.dot(turning_ * direction)) / spread : 0;
   }
@@ -152,6 +158,15 @@ class Profiles {
   double weight_after(std::size_t k) const { return is_long(k) ? length(k) / mean_edge() * seen_round(k) : 0; }
   double steepness_after(std::size_t k) const { return facing_.edge_conormals[k].dot(axis_); }
   double steepness_of_face(std::size_t k) const { return facing_.conormals[k].dot(axis_); }
+  /// Least cosine between a direction, to the side to which the surface runs on, and how the faces leave the loop, along all but
+  /// the share of its length that may be torn.
+  double least_along(Vec3 direction) const {
+    if (direction.dot(facing_.onward) < 0) direction = -direction;
+    std::vector<Weighted> cosines;
+    for (std::size_t k = 0; k < loop_.vertices.size(); ++k)
+      cosines.push_back({facing_.edge_conormals[k].dot(direction), length(k)});
+    return quantile(std::move(cosines), torn_share);
+  }
   /// Whether the surface leaves the loop away from its center, as the wall of a bell.
   bool flares_at(std::size_t k) const {
     return facing_.conormals[k].dot(facing_.center - mesh_.point(TriMesh::VertexHandle(loop_.vertices[k]))) < 0;
@@ -324,6 +339,7 @@ struct Wall {
   std::vector<double> curvatures, noise;  ///< of fits, where there are enough vertices
   double flaring = 0, places = 0;         ///< weights where it leaves the loop away from its center, and of all
   double turning = 0;                     ///< NormalsOfWall::turning()
+  double along_rulings = 0;               ///< Profiles::least_along() of NormalsOfWall::rulings()
 
   bool is_known() const { return 4 * curvatures.size() >= steepness.size(); }
   bool flares() const { return flaring >= (1 - torn_share) * places; }
@@ -350,11 +366,12 @@ Wall read_wall(const Profiles& profiles, const BoundaryLoop& loop) {
     profiles.add_faces_behind(k, normals);
   }
   wall.turning = normals.turning();
+  wall.along_rulings = profiles.least_along(normals.rulings());
   return wall;
 }
 
 bool may_end(const BoundaryLoop& loop) {
-  return loop.edges() >= fewest_edges && loop.diameter > 0 && loop.planarity <= most_planarity;
+  return loop.edges() >= fewest_edges && loop.diameter > 0 && loop.planarity <= most_planarity_of_a_tube;
 }
 
 }  // namespace
@@ -376,6 +393,9 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   const bool straight = share_of_a_ball < most_of_a_straight_wall;
   if (straight && quantile(wall.of_faces, torn_share) >= upright_all_along)
     return flat ? LoopEnd::flat : LoopEnd::curved;
+  if (straight && !flat && loop.edges() >= fewest_round_a_tube && wall.along_rulings >= along_rulings)
+    return LoopEnd::curved;
+  if (loop.planarity > most_planarity) return LoopEnd::runs_on;
   if (straight && loop.planarity <= plane_cut && median(wall.of_faces) >= steep &&
       quantile(wall.of_faces, torn_share) >= still_steep)
     return LoopEnd::flat;
