@@ -55,6 +55,7 @@ std::string method_name(Method method, FlowKind flow) {
     case Method::mixed_order: return name + "_mixed_order";
     case Method::robust_fairing: return "robust_fairing";
     case Method::sharp_edges: return "sharp_edges";
+    case Method::straight_base: return "straight_base";
     case Method::linear_fairing: return "linear_fairing";
     case Method::mirror_image: return "mirror_image";
   }

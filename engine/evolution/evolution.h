@@ -101,6 +101,7 @@ enum class Method {
   sharp_edges,     ///< sharp edges continued, each side on its own surface (edges/sharp_patch.h); no flow
   linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, up to twelve times; no flow
   mirror_image,    ///< the mirror image of the other side of the scan, its own triangles; no flow
+  straight_base,   ///< an upright wall continued straight to a plane base (filling/straight_base.h); no flow
 };
 
 /// Why the boundary data ask for something else than the flow, and how to get the flow nevertheless. Empty if they do not.

@@ -3,6 +3,7 @@
 
 #include "core/seconds_since.h"
 #include "edges/sharp_patch.h"
+#include "filling/straight_base.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
@@ -80,6 +81,25 @@ PatchResult judged_initial(const PatchProblem& problem, const EvolutionOptions& 
   return result;
 }
 
+bool base_below_teeth(const Situation& s, PatchResult& result) {
+  const auto start = std::chrono::steady_clock::now();
+  const PatchProblem& problem = s.context.problem;
+  const std::optional<LoopPatch> base =
+      straight_base(problem.scan.model, problem.loops.front(), {problem.initial.grading.density}, s.context.cancel);
+  if (!base) return false;
+  Patch patch = make_patch(problem.scan.model, problem.loops, {*base});
+  patch.grading = problem.initial.grading;
+  take_patch(s.context, s.context.judge, s.options.flow, std::move(patch), result);
+  result.status = PatchStatus::faired;
+  result.method = Method::straight_base;
+  result.reason = joined(say("the surface ends at this loop, which is ragged, so that its wall was continued straight "
+                             "to a plane base"),
+                         "; ", say("--loops %1:flat closes the loop as it is", problem.loops.front().number))
+                      .with_code("surface_ends");
+  result.seconds.total = seconds_since(start);
+  return true;
+}
+
 bool position(const Situation& s, PatchResult& result) {
   EvolutionOptions options = s.options;
   options.continuity = SeamContinuity::position;
@@ -148,6 +168,7 @@ bool tangent(const Situation& s, PatchResult& result) {
 bool is_exact(const Situation& s) { return !s.is_rough(); }
 bool is_rough(const Situation& s) { return s.is_rough(); }
 bool is_cut(const Situation& s) { return s.is_cut(); }
+bool is_toothed(const Situation& s) { return s.is_cut() && s.ends.size() == 1 && s.ends.front() == LoopEnd::toothed; }
 bool has_sharp_edges(const Situation& s) { return s.sharp.has_value(); }
 /// The flow for which there is anything else to fall back on.
 bool can_fall_back(const Situation& s) {
@@ -163,6 +184,7 @@ struct Candidate {
 };
 
 const Candidate candidates[] = {
+    {text_to_say("base below teeth"), is_toothed, base_below_teeth},
     {text_to_say("minimal surface over a cut"), is_cut, position},
     {text_to_say("initial patch over a cut"), is_cut, initial_patch},
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},

@@ -30,6 +30,10 @@ constexpr double torn_share = 0.1;
 /// (0.91 to 1, but for 0.61 at 0.0032) and holes on top of a bump (0.42 to 0.68).
 constexpr double plane_cut = 0.005, steep_if_not_plane = 0.75;
 constexpr double upright = 0.9;
+/// Teeth of a loop at which an upright wall ends: heights in boundary edges, edges from one turn to the next.
+constexpr double lowest_tooth = 0.75, highest_tooth = 4, least_rise = 0.1, tooth_in_noises = 3;
+constexpr std::size_t fewest_round_teeth = 24, fewest_teeth = 8, most_edges_of_a_tooth = 6;
+constexpr std::size_t edges_beside = 4;  ///< over which the direction of the wall is taken where there are teeth
 /// The same for the faces at all but the torn share of the loop. Of 161 holes of planarity 0.003 to 0.1 cut into natural models the
 /// most upright has 0.76; tubes, bottles and stars with noise have 0.86 to 0.97.
 constexpr double upright_all_along = 0.85;
@@ -167,6 +171,13 @@ class Profiles {
       cosines.push_back({facing_.edge_conormals[k].dot(direction), length(k)});
     return quantile(std::move(cosines), torn_share);
   }
+  /// Of the loop's vertices along the axis, mesh units.
+  std::vector<double> heights() const {
+    std::vector<double> result;
+    for (const int v : loop_.vertices) result.push_back(axis_.dot(mesh_.point(TriMesh::VertexHandle(v))));
+    return result;
+  }
+  double mean_edge() const { return loop_.perimeter / loop_.edges(); }
   /// Whether the surface leaves the loop away from its center, as the wall of a bell.
   bool flares_at(std::size_t k) const {
     return facing_.conormals[k].dot(facing_.center - mesh_.point(TriMesh::VertexHandle(loop_.vertices[k]))) < 0;
@@ -249,7 +260,6 @@ class Profiles {
     return (chord - (1 - shrunk_) * longest_.dot(chord) * longest_).norm();
   }
 
-  double mean_edge() const { return loop_.perimeter / loop_.edges(); }
   /// Of the boundary edge to the next vertex, mesh units.
   double length(std::size_t k) const {
     const auto point = [&](std::size_t i) { return mesh_.point(TriMesh::VertexHandle(loop_.vertices[i])); };
@@ -370,23 +380,50 @@ Wall read_wall(const Profiles& profiles, const BoundaryLoop& loop) {
   return wall;
 }
 
+/// Root mean square height of a loop that goes up and down by whole edges, as where triangles below a plane were removed; 0 for
+/// others. Mesh units.
+double height_of_teeth(const std::vector<double>& heights, double mean_edge) {
+  const std::size_t n = heights.size();
+  const auto [low, high] = std::ranges::minmax(heights);
+  if (n < fewest_round_teeth || high - low < lowest_tooth * mean_edge || high - low > highest_tooth * mean_edge)
+    return 0;
+  std::size_t turns = 0;
+  double mean = 0, squares = 0;
+  int direction = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    mean += heights[k] / static_cast<double>(n);
+    const double rise = heights[(k + 1) % n] - heights[k];
+    if (std::abs(rise) < least_rise * mean_edge) continue;
+    const int now = rise > 0 ? 1 : -1;
+    turns += now == -direction ? 1 : 0;
+    direction = now;
+  }
+  if (turns < 2 * fewest_teeth || turns * most_edges_of_a_tooth < n) return 0;
+  for (const double height : heights) squares += (height - mean) * (height - mean);
+  return std::sqrt(squares / static_cast<double>(n));
+}
+
+/// The same with conormals of the loop as it would run without its teeth.
+LoopFacing without_teeth(const SurfaceModel& model, const BoundaryLoop& loop, LoopFacing facing) {
+  const std::size_t n = loop.vertices.size();
+  const auto point = [&](std::size_t k) { return model.mesh.point(TriMesh::VertexHandle(loop.vertices[k % n])); };
+  Points across;
+  for (std::size_t k = 0; k < n; ++k) across.emplace_back((point(k + 1) - point(k)).norm() * facing.edge_conormals[k]);
+  for (std::size_t k = 0; k < n; ++k) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = n + k - edges_beside; i < n + k + edges_beside; ++i) sum += across[i % n];
+    facing.conormals[k] = sum.norm() > 0 ? Vec3(sum.normalized()) : Vec3::Zero();
+  }
+  facing.edge_conormals = facing.conormals;
+  return facing;
+}
+
 bool may_end(const BoundaryLoop& loop) {
   return loop.edges() >= fewest_edges && loop.diameter > 0 && loop.planarity <= most_planarity_of_a_tube;
 }
 
-}  // namespace
-
-double reach_of_loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
-  if (!may_end(loop)) return 0;
-  return reach_of_quadric * loop_facing(model, loop).radius;  // the other reach is a radius at most
-}
-
-LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
-  if (!may_end(loop)) return LoopEnd::runs_on;
-  const LoopFacing facing = loop_facing(model, loop);
-  if (facing.axis.isZero()) return LoopEnd::runs_on;
-  const Profiles profiles(model, loop, facing);
-  const Wall wall = read_wall(profiles, loop);
+/// As loop_end(), but for teeth.
+LoopEnd end_of(const BoundaryLoop& loop, const LoopFacing& facing, const Profiles& profiles, const Wall& wall) {
   const bool flat = loop.planarity <= flat_planarity;
   // Corners and the loop's own roundness bend the fits of profiles, but not the angle between faces and axis.
   const double share_of_a_ball = wall.turning * facing.radius / std::max(steep, median(wall.of_faces));
@@ -422,6 +459,33 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   if (is_hole_in_a_hill) return LoopEnd::runs_on;
   if (flat) return dome ? LoopEnd::flat_or_dome : LoopEnd::flat;
   return loop.kind == LoopKind::outer_rim ? LoopEnd::curved : LoopEnd::runs_on;
+}
+
+}  // namespace
+
+double reach_of_loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
+  if (!may_end(loop)) return 0;
+  return reach_of_quadric * loop_facing(model, loop).radius;  // the other reach is a radius at most
+}
+
+LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
+  if (!may_end(loop)) return LoopEnd::runs_on;
+  const LoopFacing facing = loop_facing(model, loop);
+  if (facing.axis.isZero()) return LoopEnd::runs_on;
+  const Profiles profiles(model, loop, facing);
+  const LoopEnd end = end_of(loop, facing, profiles, read_wall(profiles, loop));
+  if (end != LoopEnd::flat && end != LoopEnd::runs_on) return end;
+  const double teeth = height_of_teeth(profiles.heights(), profiles.mean_edge());
+  if (!(teeth > 0)) return end;
+  BoundaryLoop level = loop;
+  level.planarity = std::min(level.planarity, flat_planarity);
+  const LoopFacing smoothed = without_teeth(model, loop, facing);
+  const Profiles above(model, level, smoothed);
+  const Wall wall = read_wall(above, level);
+  const bool toothed = end_of(level, smoothed, above, wall) == LoopEnd::flat &&
+                       quantile(wall.steepness, torn_share) >= upright_all_along &&
+                       (wall.noise.empty() || teeth >= tooth_in_noises * median(wall.noise));
+  return toothed ? LoopEnd::toothed : end;
 }
 
 }  // namespace loopmend

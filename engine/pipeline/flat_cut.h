@@ -13,6 +13,7 @@ inline constexpr double flat_planarity = 0.0305;
 enum class LoopEnd {
   runs_on,  ///< it continues across the hole
   flat,     ///< it was cut: the wall leaves the loop's plane on one side all along; a plane cap is missing
+  toothed,  ///< flat, but the loop goes up and down by whole edges, as where faces below a plane were removed: a plane base is missing
   flat_or_dome,  ///< the same, but at the loop the wall bends like a dome's: a base that curves in, or an egg without its end
   curved,        ///< flat at an outer rim that is not plane: a minimal surface is missing
 };

@@ -218,9 +218,10 @@ std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPat
     const std::vector<int>& members = alike.members;
     const std::vector<BoundaryLoop> loops = picked(group.loops, members);
     if (continues_edges(options) && !edits_at(model, loops, options.edge_edits).empty()) return Treatment::apart;
-    if (std::all_of(members.begin(), members.end(),
-                    [&](int k) { return loop_end(model, group.loops[k]) != LoopEnd::runs_on; }))
-      return Treatment::flat_cut;
+    std::vector<LoopEnd> ends;
+    for (const BoundaryLoop& loop : loops) ends.push_back(loop_end(model, loop));
+    if (std::ranges::count(ends, LoopEnd::toothed) > 0) return Treatment::apart;
+    if (std::ranges::count(ends, LoopEnd::runs_on) == 0) return Treatment::flat_cut;
     const std::optional<Patch> patch = joined_patch(model, loops, picked(group.outcomes, members), 1);
     if (!patch) return Treatment::apart;
     if (options.edges == SharpEdges::continued && ends_at_sharp_edges(*patch)) return Treatment::apart;

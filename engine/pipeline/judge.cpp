@@ -341,7 +341,8 @@ void Judge::judge_inside(std::size_t l, const BentEdges& bent, Verdict& verdict)
 
 void Judge::judge_height(std::size_t l, Verdict& verdict) const {
   if (l >= ends_.size()) return;
-  if (ends_[l] == LoopEnd::flat && verdict.height > flat_height)
+  const bool is_flat = ends_[l] == LoopEnd::flat || ends_[l] == LoopEnd::toothed;
+  if (is_flat && verdict.height > flat_height)
     add_finding(verdict, Grade::bad, {NoticeCode::dome_over_flat_loop, {verdict.height}});
   else if (ends_[l] == LoopEnd::flat_or_dome && verdict.height <= flat_height && creases_ == Creases::unwanted)
     add_finding(verdict, Grade::look, {NoticeCode::flat_or_dome, {}});

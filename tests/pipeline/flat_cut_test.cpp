@@ -255,6 +255,53 @@ TEST(FlatCut, ALongSlotInATubeRunsOn) {
     }
 }
 
+/// Triangles below a plane were removed, up to three rows of them: the wall runs straight on to a plane.
+TEST(FlatCut, ATornTubeStandsOnAPlaneBase) {
+  for (const int around : {48, 90})
+    for (const double rows : {1, 2, 3})
+      for (const double wide : {1.0, 1.4}) {
+        const double edge = 2 * std::numbers::pi / around;
+        TriangleSoup tube = make_revolution([](double) { return 1.0; }, 0, 30 * edge, around, 30);
+        for (Vec3& p : tube.points) p.x() *= wide;
+        Random random(static_cast<std::uint64_t>(around + rows));
+        std::vector<double> torn_to(static_cast<std::size_t>(around) + 1);
+        for (double& height : torn_to) height = rows * edge * random.uniform();
+        std::erase_if(tube.triangles, [&](const Triangle& t) {
+          const Vec3 center = (tube.points[t[0]] + tube.points[t[1]] + tube.points[t[2]]) / 3;
+          const double turn = std::atan2(center.y(), center.x() / wide) / (2 * std::numbers::pi) + 0.5;
+          return center.z() < torn_to[static_cast<std::size_t>(turn * around)];
+        });
+        SurfaceModel model = make_surface_model(tube);
+        const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+        // Beside tiny ones; the other end has `around` edges.
+        const BoundaryLoop torn = *std::ranges::max_element(loops, {}, [](const BoundaryLoop& l) { return l.edges(); });
+        EXPECT_EQ(loop_end(model, torn), LoopEnd::toothed) << around << ' ' << rows << ' ' << wide;
+        double lowest = 1;
+        for (const int v : torn.vertices) lowest = std::min(lowest, model.mesh.point(TriMesh::VertexHandle(v)).z());
+        for (const HoleResult& hole : fill_all_holes(model)) {
+          EXPECT_EQ(hole.verdict().grade, Grade::good) << hole.verdict().message();
+          if (hole.loop.number != torn.number) continue;
+          EXPECT_EQ(hole.method(), "straight_base");
+          EXPECT_GT(hole.free_vertices, around / 2);
+          for (int v = hole.first_point; v < hole.first_point + hole.free_vertices; ++v) {
+            EXPECT_LT(model.soup.points[v].z(), lowest) << around << ' ' << rows << ' ' << wide;
+            EXPECT_GT(model.soup.points[v].z(), lowest - 1.5 * edge) << around << ' ' << rows << ' ' << wide;
+          }
+        }
+        EXPECT_TRUE(find_boundary_loops(make_surface_model(model.soup)).empty());
+      }
+}
+
+/// A wave of the same height that takes many edges is no tooth, nor is noise of the boundary alone.
+TEST(FlatCut, WavesAreNoTeeth) {
+  for (const int waves : {3, 5}) {
+    TriangleSoup tube = make_revolution([](double) { return 1.0; }, 0, 3, 90, 40);
+    for (Vec3& p : tube.points) p.z() += 0.08 * std::cos(waves * std::atan2(p.y(), p.x())) * (1 - p.z() / 3);
+    const SurfaceModel model = make_surface_model(tube);
+    for (const BoundaryLoop& loop : find_boundary_loops(model)) EXPECT_NE(loop_end(model, loop), LoopEnd::toothed);
+  }
+}
+
 /// A lumpy figure with a base whose boundary has noise of two thirds of a percent.
 TEST(FlatCut, ANoisyBaseIsClosedFlatFromTrianglesThatCutNothing) {
   constexpr double base = -0.6;
