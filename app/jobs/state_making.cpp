@@ -17,6 +17,7 @@ Message message_of(const PatchResult& result) {
   switch (result.method) {
     case Method::robust_fairing: method = say("robust fairing in place of the flow"); break;
     case Method::sharp_edges: method = say("sharp edges continued in place of the flow"); break;
+    case Method::sphere: method = say("the sphere in place of the flow"); break;
     case Method::straight_base: method = say("a straight wall and a plane base in place of the flow"); break;
     case Method::linear_fairing: method = say("linear fairing in place of the flow"); break;
     case Method::split_flow:

@@ -56,6 +56,7 @@ std::string method_name(Method method, FlowKind flow) {
     case Method::robust_fairing: return "robust_fairing";
     case Method::sharp_edges: return "sharp_edges";
     case Method::straight_base: return "straight_base";
+    case Method::sphere: return "sphere";
     case Method::linear_fairing: return "linear_fairing";
     case Method::mirror_image: return "mirror_image";
   }

@@ -102,6 +102,7 @@ enum class Method {
   linear_fairing,  ///< linear fairing of the order that SeamContinuity asks for, up to twelve times; no flow
   mirror_image,    ///< the mirror image of the other side of the scan, its own triangles; no flow
   straight_base,   ///< an upright wall continued straight to a plane base (filling/straight_base.h); no flow
+  sphere,          ///< the missing part of the sphere on which the surface around lies (filling/sphere_cap.h); no flow
 };
 
 /// Why the boundary data ask for something else than the flow, and how to get the flow nevertheless. Empty if they do not.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filling/straight_base.h"
 
+#include "filling/plane_patch.h"
 #include "mesh/loop_facing.h"
 #include "mesh/triangulate_polygon.h"
 
@@ -59,9 +60,7 @@ Wall wall_to(const Points& loop, const Vec3& down, double height, double spacing
     wall.points.push_back(below[k]);
   }
   const int count = static_cast<int>(base_along.size());
-  std::vector<int> outline(count);
-  std::iota(outline.begin(), outline.end(), wall.base);
-  if (count < fewest_base_points || triangulate_seen_flat(wall.points, outline).empty()) return wall;
+  if (count < fewest_base_points) return wall;
   // The wall as one polygon, cut open below the first vertex: the loop, then the base backwards.
   Points flat;
   std::vector<int> point_of;
@@ -80,24 +79,18 @@ Wall wall_to(const Points& loop, const Vec3& down, double height, double spacing
   return wall;
 }
 
-/// The wall with a plane patch in its lower loop; the wall's points stay the first.
-std::optional<LoopPatch> with_plane(const Wall& wall, const InitialPatchOptions& options, const CancelToken& cancel) {
-  const SurfaceModel strip = make_surface_model({wall.points, wall.triangles});
-  for (const BoundaryLoop& lower : find_boundary_loops(strip)) {
-    if (strip.soup_vertex[lower.vertices.front()] < wall.base) continue;
-    const LoopPatchOutcome plane = fill_loop(strip, lower, options, cancel);
-    if (!plane.patch) return std::nullopt;
-    LoopPatch patch{wall.points, wall.triangles};
-    std::vector<int> place;  // of the plane's points in the patch
-    for (const int v : lower.vertices) place.push_back(strip.soup_vertex[v]);
-    for (std::size_t p = place.size(); p < plane.patch->points.size(); ++p) {
-      place.push_back(static_cast<int>(patch.points.size()));
-      patch.points.push_back(plane.patch->points[p]);
-    }
-    for (const auto& t : plane.patch->triangles) patch.triangles.push_back({place[t[0]], place[t[1]], place[t[2]]});
-    return patch;
-  }
-  return std::nullopt;
+/// The wall with a plane patch below; the wall's points stay the first.
+std::optional<LoopPatch> with_plane(const Wall& wall, const Vec3& down, const InitialPatchOptions& options,
+                                    const CancelToken& cancel) {
+  const Points outline(wall.points.begin() + wall.base, wall.points.end());
+  const std::optional<LoopPatch> plane = plane_patch(outline, down, options, cancel);
+  if (!plane) return std::nullopt;
+  LoopPatch patch{wall.points, wall.triangles};
+  patch.points.insert(patch.points.end(), plane->points.begin() + static_cast<std::ptrdiff_t>(outline.size()),
+                      plane->points.end());
+  for (const auto& t : plane->triangles)
+    patch.triangles.push_back({wall.base + t[0], wall.base + t[1], wall.base + t[2]});
+  return patch;
 }
 
 /// Turns the first `count` points, a closed curve, so that the one at `first` becomes the first.
@@ -125,8 +118,9 @@ std::optional<LoopPatch> straight_base(const SurfaceModel& model, const Boundary
   for (const double spacing : spacings) {
     const Wall wall = wall_to(points, down, height, spacing * edge);
     if (wall.triangles.empty()) continue;
-    std::optional<LoopPatch> patch = with_plane(wall, options, cancel);
-    if (patch) start_at(static_cast<int>(points.size() - first) % loop.edges(), loop.edges(), *patch);
+    std::optional<LoopPatch> patch = with_plane(wall, down, options, cancel);
+    if (!patch) continue;
+    start_at(static_cast<int>(points.size() - first) % loop.edges(), loop.edges(), *patch);
     return patch;
   }
   return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "core/seconds_since.h"
 #include "edges/sharp_patch.h"
+#include "filling/sphere_cap.h"
 #include "filling/straight_base.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/initial_patch.h"
@@ -18,6 +19,9 @@ namespace loopmend {
 
 namespace {
 
+/// Largest distance, in radii, of a patch from the sphere on which all vertices around lie.
+constexpr double off_sphere = 1e-3;
+
 /// One problem with all that decides which candidates there are.
 struct Situation {
   AttemptContext context;
@@ -28,6 +32,7 @@ struct Situation {
   std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
   std::vector<LoopEnd> ends;           ///< of each loop; empty where the loops bound no holes
   std::optional<SharpPatch> sharp;     ///< where sharp edges run on into the hole
+  std::optional<Sphere> sphere;        ///< on which all vertices around lie; patch frame
   bool has_clear_edges = false;        ///< whether sharp edges end at the hole beyond doubt
 
   const Patch& initial() const { return context.problem.initial; }
@@ -150,6 +155,19 @@ bool sharp_edges(const Situation& s, PatchResult& result) {
   return true;
 }
 
+bool cap_of_sphere(const Situation& s, PatchResult& result) {
+  const auto start = std::chrono::steady_clock::now();
+  const PatchProblem& problem = s.context.problem;
+  std::optional<Patch> cap =
+      sphere_cap(problem.scan.model, problem.loops.front(), problem.initial, *s.sphere, s.context.cancel);
+  if (!cap) return false;
+  take_patch(s.context, s.context.judge.expecting_known_surface(), s.options.flow, std::move(*cap), result);
+  result.status = PatchStatus::faired;
+  result.method = Method::sphere;
+  result.seconds.total = seconds_since(start);
+  return true;
+}
+
 bool split(const Situation& s, PatchResult& result) { return run_once(s.context, s.start(), s.options, result); }
 
 bool robust(const Situation& s, PatchResult& result) {
@@ -169,6 +187,7 @@ bool is_exact(const Situation& s) { return !s.is_rough(); }
 bool is_rough(const Situation& s) { return s.is_rough(); }
 bool is_cut(const Situation& s) { return s.is_cut(); }
 bool is_toothed(const Situation& s) { return s.is_cut() && s.ends.size() == 1 && s.ends.front() == LoopEnd::toothed; }
+bool is_on_sphere(const Situation& s) { return s.sphere.has_value(); }
 bool has_sharp_edges(const Situation& s) { return s.sharp.has_value(); }
 /// The flow for which there is anything else to fall back on.
 bool can_fall_back(const Situation& s) {
@@ -190,6 +209,7 @@ const Candidate candidates[] = {
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},
     {text_to_say("flow"), is_exact, flow},
     {text_to_say("split flow"), is_rough, split},
+    {text_to_say("sphere"), is_on_sphere, cap_of_sphere},
     {text_to_say("robust fairing"), of_curvature, robust},
     {text_to_say("tangent fairing"), of_curvature, tangent},
     {text_to_say("minimal surface"), of_lower_order, position},
@@ -198,15 +218,18 @@ const Candidate candidates[] = {
 /// Whether the candidate is kept without looking at others. Where a person has chosen the treatment of the boundary, only what
 /// folds or crosses is passed over.
 bool is_kept(const Situation& s, const PatchResult& result) {
+  if (s.sphere && distance_from(*s.sphere, result.patch) > off_sphere) return false;
   if (is_judged(s.options)) return worst(result.verdicts) != Grade::bad;
   const Faults found = faults(result.verdicts);
   return found.crossings == 0 && found.folds == 0;
 }
 
 /// "split flow: 3 edges are folded by more than 150°".
-Message fault_of(const char* name, const PatchResult& result) {
+Message fault_of(const Situation& s, const char* name, const PatchResult& result) {
   for (const Verdict& verdict : result.verdicts)
     if (verdict.grade == Grade::bad) return joined(say(name), ": ", verdict.message()).with_code("first_candidate_bad");
+  if (s.sphere)
+    return joined(say(name), ": ", say("off the sphere on which all vertices around lie")).with_code("off_sphere");
   return joined(say(name), ": ", result.message);
 }
 
@@ -252,7 +275,7 @@ PatchResult best_candidate(const Situation& s) {
       return result;
     }
     const bool kept = made && is_kept(s, result);
-    if (!kept && tried.size() == 1) why_not_the_first = fault_of(candidate.name, result);
+    if (!kept && tried.size() == 1) why_not_the_first = fault_of(s, candidate.name, result);
     if (!made) continue;
     result.made_by = candidate.name;
     if (candidate.applies == is_cut) result.reason = reason_of_cut(s);
@@ -316,7 +339,10 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   const LoopEdits edits =
       continues_edges(options) ? edits_of(problem.scan.model, problem.initial, options.edge_edits) : LoopEdits();
   // A loop with an edge across it is no flat cut.
-  const std::vector<LoopEnd> ends = edits.drawn.empty() ? ends_of(problem) : std::vector<LoopEnd>();
+  std::vector<LoopEnd> ends = edits.drawn.empty() ? ends_of(problem) : std::vector<LoopEnd>();
+  std::optional<Sphere> sphere;
+  if (is_judged(options) && problem.loops.size() == 1 && edits.empty()) sphere = sphere_around(problem.initial);
+  if (sphere) ends.assign(ends.size(), LoopEnd::runs_on);
   const Judge judge = judge_for(problem, options, ends);
   Situation situation{{problem, nullptr, judge, on_step, cancel},
                       options,
@@ -325,11 +351,13 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       std::nullopt,
                       ends,
                       std::nullopt,
+                      sphere,
                       false};
   if (is_judged(options)) {
     if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut()) {
       ContinuedEdges continued = continue_sharp_edges(problem.initial, edits, cancel);
       situation.sharp = std::move(continued.patch);
+      if (situation.sharp) situation.sphere.reset();
       situation.has_clear_edges = continued.are_clear;
     }
     if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {

@@ -22,6 +22,7 @@ constexpr int fewest_edges = 4;
 constexpr double exact_planarity = 0.003;
 constexpr double most_planarity = 0.1;  ///< above, the loop's plane says nothing about the wall, but its rulings may:
 constexpr double most_planarity_of_a_tube = 0.25, along_rulings = 0.65;
+constexpr double most_taper = 0.25;
 constexpr int fewest_round_a_tube = 8;
 constexpr double steep = 0.5;         ///< sine of the angle between surface and plane, median along the loop
 constexpr double still_steep = 0.35;  ///< the same, for all but the share of the loop that may be torn:
@@ -107,6 +108,11 @@ class NormalsOfWall {
     const Vec3 mean = sum_ / weight_;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(squares_ / weight_ - mean * mean.transpose());
     return axes.eigenvectors().col(0);
+  }
+  /// The normals' component along rulings(), rms: 0 for a cylinder, the sine of the taper for a cone.
+  double taper() const {
+    const Vec3 direction = rulings();
+    return weight_ > 0 ? std::sqrt(std::max(0.0, direction.dot(squares_ * direction) / weight_)) : 0;
   }
   /// Change of the normals' component along rulings(), over the distance in that direction, 1/length.
   double turning() const {
@@ -349,7 +355,7 @@ struct Wall {
   std::vector<double> curvatures, noise;  ///< of fits, where there are enough vertices
   double flaring = 0, places = 0;         ///< weights where it leaves the loop away from its center, and of all
   double turning = 0;                     ///< NormalsOfWall::turning()
-  double along_rulings = 0;               ///< Profiles::least_along() of NormalsOfWall::rulings()
+  double along_rulings = 0;  ///< of a tube; 0 for other walls: Profiles::least_along() of NormalsOfWall::rulings()
 
   bool is_known() const { return 4 * curvatures.size() >= steepness.size(); }
   bool flares() const { return flaring >= (1 - torn_share) * places; }
@@ -376,7 +382,7 @@ Wall read_wall(const Profiles& profiles, const BoundaryLoop& loop) {
     profiles.add_faces_behind(k, normals);
   }
   wall.turning = normals.turning();
-  wall.along_rulings = profiles.least_along(normals.rulings());
+  if (normals.taper() <= most_taper) wall.along_rulings = profiles.least_along(normals.rulings());
   return wall;
 }
 

@@ -239,6 +239,12 @@ Judge Judge::expecting_creases(std::vector<std::vector<char>> edges, double shar
   return judge;
 }
 
+Judge Judge::expecting_known_surface() const {
+  Judge judge = *this;
+  judge.is_known_surface_ = true;
+  return judge;
+}
+
 std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& validity,
                                        const std::vector<SeamReport>& seams) const {
   std::vector<Verdict> verdicts(patch.loops.size());
@@ -279,7 +285,8 @@ std::vector<Verdict> Judge::operator()(const Patch& patch, const Validity& valid
     if (verdict.folds > 0 && !forced)
       add_finding(verdict, Grade::bad, {NoticeCode::folded_edges, {static_cast<double>(verdict.folds)}});
     if (l < proportions.size()) verdict.proportion = proportions[l];
-    if (is_out_of_proportion(verdict.proportion, expected_creases_.empty() ? most_of_a_patch : most_of_sharp_sides))
+    if (!is_known_surface_ &&
+        is_out_of_proportion(verdict.proportion, expected_creases_.empty() ? most_of_a_patch : most_of_sharp_sides))
       add_finding(verdict, Grade::bad, {NoticeCode::bubble, {verdict.proportion.area, verdict.proportion.depth}});
     if (l == 0 && validity.nonmanifold_edges > 0)  // they are counted for the whole patch
       add_finding(verdict, Grade::bad,
@@ -340,7 +347,7 @@ void Judge::judge_inside(std::size_t l, const BentEdges& bent, Verdict& verdict)
 }
 
 void Judge::judge_height(std::size_t l, Verdict& verdict) const {
-  if (l >= ends_.size()) return;
+  if (l >= ends_.size() || is_known_surface_) return;
   const bool is_flat = ends_[l] == LoopEnd::flat || ends_[l] == LoopEnd::toothed;
   if (is_flat && verdict.height > flat_height)
     add_finding(verdict, Grade::bad, {NoticeCode::dome_over_flat_loop, {verdict.height}});

@@ -68,6 +68,8 @@ class Judge {
   /// that they crease, per loop and edge, from place i to i + 1. @param sharpest_deg largest bend within them that is
   /// no fold
   Judge expecting_creases(std::vector<std::vector<char>> edges, double sharpest_deg) const;
+  /// The same judge for patches on the surface that was there: however large and high, they are no bubbles.
+  Judge expecting_known_surface() const;
 
   /// @param validity  of the patch against scan and itself, with intersections per loop.
   /// @param seams     of the patch, one for each loop.
@@ -99,6 +101,7 @@ class Judge {
   std::vector<std::vector<char>> expected_creases_;  ///< per loop and edge; empty: none
   std::vector<std::vector<double>> initial_bends_;   ///< degrees, per loop and edge
   std::vector<SeamReport> initial_seams_;
+  bool is_known_surface_ = false;
   double fold_deg_;  ///< an edge that is bent by more is folded
 };
 
