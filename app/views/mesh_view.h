@@ -12,6 +12,7 @@
 #include "tools/view_tool.h"
 
 #include <QImage>
+#include <QPolygonF>
 #include <QWidget>
 
 #include <map>
@@ -154,6 +155,8 @@ class MeshView : public QWidget {
   /// @returns whether they look otherwise now, and are to be drawn.
   bool update_loops();
   void update_highlight();
+  void update_marks();
+  QPolygonF line_on_screen(int loop) const;
   void update_palette();
   void hover(const QPoint& at);
   void ask_for_menu(const QPoint& at);

@@ -425,6 +425,7 @@ void MeshView::after_render() {
   if (impl_->scene.is_rough()) redraw_at_rest();
   if (!moved) return;
   update_highlight();
+  update_marks();
   update_probe();
 }
 

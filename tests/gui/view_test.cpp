@@ -7,6 +7,7 @@
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "views/tool_controller.h"
+#include "views/view_overlay.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -84,6 +85,7 @@ class ViewTest : public QObject {
   void each_scan_may_have_its_own_range();
   void a_filled_hole_comes_into_view();
   void patches_may_have_a_tint();
+  void a_selected_patch_is_marked();
   void no_line_lies_over_the_seam_that_is_judged();
   void a_distance_is_measured();
   void a_plane_cuts_the_picture_open();
@@ -140,6 +142,42 @@ void ViewTest::patches_may_have_a_tint() {
   window.keep_layout();
   QVERIFY(load_look().tint == Tint::patches);
   save_look({});
+}
+
+/// Corners, which leave the seam clear; pale where the hole looks away.
+void ViewTest::a_selected_patch_is_marked() {
+  Shown window({file("marked.ply", cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; }))});
+  window.view().look_from(NamedView::front);
+  window.selection().select({0});
+  auto* overlay = window.findChild<ViewOverlay*>();
+  settle();
+  QVERIFY(overlay->marks().empty());  // an open hole has its line
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  settle();
+  using Side = ViewOverlay::Mark::Side;
+  QCOMPARE(overlay->marks().size(), std::size_t(1));
+  QVERIFY(overlay->marks().front().side == Side::seen);
+  const auto yellow = [&](const QRectF& within) {
+    QImage drawn(overlay->size(), QImage::Format_ARGB32);
+    drawn.fill(Qt::transparent);
+    overlay->render(&drawn);
+    int count = 0;
+    const QRect box = within.toAlignedRect() & drawn.rect();
+    for (int y = box.top(); y <= box.bottom(); ++y)
+      for (int x = box.left(); x <= box.right(); ++x) count += drawn.pixelColor(x, y) == QColor(255, 214, 40);
+    return count;
+  };
+  const QRectF seam = overlay->marks().front().box;
+  for (int vertex = 0; vertex < window.document().loop(0).edges(); ++vertex)
+    QVERIFY(seam.adjusted(-2, -2, 2, 2).contains(window.view().position_of(0, vertex)));
+  QVERIFY(yellow(overlay->rect()) > 60);
+  QCOMPARE(yellow(seam.adjusted(-6, -6, 6, 6)), 0);
+  window.view().look_from(NamedView::back);
+  settle();
+  QVERIFY(overlay->marks().front().side == Side::from_behind);
+  window.selection().select({});
+  QVERIFY(overlay->marks().empty());
+  QCOMPARE(yellow(overlay->rect()), 0);
 }
 
 /// Of an open hole that is selected the line stays, and goes when it is filled.
