@@ -348,6 +348,7 @@ void MainWindow::update_actions() {
   a["wireframe"]->setChecked(look.edges == Edges::shown);
   a["seams"]->setChecked(look.seams == Seams::shown);
   a["tint"]->setChecked(look.tint == Tint::patches);
+  a["tint"]->setEnabled(scan && !colors_patches_alone(look.shading));
   holes_->small_holes().set_use(idle ? SmallHolesBox::Use::possible : SmallHolesBox::Use::busy);
 }
 
