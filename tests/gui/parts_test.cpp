@@ -174,6 +174,7 @@ void PartsTest::the_part_that_is_lit_is_filled_with_a_smooth_edge() {
   QTest::mouseMove(window.view().canvas(), second);
   QVERIFY(wait_until([&] { return !tool.lit_points().empty(); }));
   std::vector<int> lit = tool.lit_points();
+  const std::vector<Vec3> drawn = tool.new_edge();
   const int own = static_cast<int>(document.scan(0)->model->soup.points.size());
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, second);
   QVERIFY(wait_until([&] { return document.patches().size() == 1; }) && wait_idle(window));
@@ -193,6 +194,15 @@ void PartsTest::the_part_that_is_lit_is_filled_with_a_smooth_edge() {
   std::ranges::sort(lit);
   std::ranges::sort(filled);
   QVERIFY(filled == lit);
+  // The edge that is left is the one that was drawn, point by point.
+  QVERIFY(drawn.size() > 3);
+  int open = 0;
+  for (const BoundaryLoop& loop : last_scan(window).loops)
+    for (int v : loop.vertices)
+      open += std::ranges::count(drawn, model.soup.points[model.soup_vertex[v]]) > 0 &&
+              &loop != &last_scan(window).loops[static_cast<std::size_t>(
+                           document.patches().front().loops.front() - document.first_loop_of(document.scans().back()))];
+  QCOMPARE(open, static_cast<int>(drawn.size()));
   // The new edge continues the ball, 0.32 across: a straight one would lie 0.013 below it.
   QVERIFY(of_edge > 2);
   QVERIFY2(off < 0.002, qPrintable(QString::number(off)));  // 0.0012
