@@ -163,8 +163,11 @@ std::optional<RepairedScan> prepared(const ScanRepairTask& task) {
     done << FillController::tr("%Ln crossing triangles removed", nullptr, n(plan.trimmed.size()));
   if (done.isEmpty()) return std::nullopt;
   if (task.on_step) task.on_step({RepairStage::measure_result});
-  return RepairedScan{task.scan, made_scan(std::move(plan.model.soup), old.name, old.origin),
-                      FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
+  RepairedScan result{task.scan, nullptr, FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
+  result.proposal = FillController::tr("%1 would be prepared: %2.").arg(old.name, done.join(QStringLiteral(", ")));
+  result.changed_faces = changed_faces(old.model->soup, plan.model.soup);
+  result.made = made_scan(std::move(plan.model.soup), old.name, old.origin);
+  return result;
 }
 
 RepairedScan bridged(const ScanRepairTask& task) {

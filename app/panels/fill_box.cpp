@@ -36,6 +36,7 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
   connect(&preview_timer_, &QTimer::timeout, this, &FillBox::preview_now);
   connect(whole_, &QPushButton::clicked, this, qOverload<>(&FillBox::fill_and_smooth));
   connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
+  connect(prepare_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::prepare); });
   connect(trim_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::trim); });
   connect(stitch_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::stitch); });
   connect(repair_, &QPushButton::clicked, this, &FillBox::repair_wanted);
@@ -74,6 +75,9 @@ void FillBox::build() {
       "islands", tr("Join islands"),
       tr("Join islands, components that lie within a hole, to its patch; otherwise the patch covers them"));
   islands_->setChecked(true);
+  prepare_ = make_button("prepare", tr("Prepare"),
+                         tr("Stitch, repair and trim where the scan needs that to be filled, and change nothing else; "
+                            "shows first what it would change"));
   trim_ = make_button(
       "trim", tr("Trim"),
       tr("Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to "
@@ -103,7 +107,10 @@ void FillBox::build() {
   head->addWidget(make_fold("moreOfFill", tr("More options"), more), 0, Qt::AlignTop);
   grid->addLayout(head, 0, 0, 1, 3);
   grid->addWidget(estimate_, 1, 0, 1, 3);
-  grid->addWidget(whole_, 2, 0, 1, 3);
+  auto* do_it = new QHBoxLayout;
+  do_it->addWidget(prepare_);
+  do_it->addWidget(whole_, 1);
+  grid->addLayout(do_it, 2, 0, 1, 3);
   auto* repairs = new QHBoxLayout;
   for (QPushButton* button : {trim_, stitch_, repair_}) repairs->addWidget(button);
   grid->addLayout(repairs, 4, 0, 1, 3);
@@ -256,6 +263,7 @@ void FillBox::update_state() {
   whole_->setText(loops.empty() && whole_->isEnabled() ? tr("Smooth") : tr("Fill and smooth"));
   density_->setEnabled(idle && document_.has_scan());
   islands_->setEnabled(idle && document_.has_scan());
+  prepare_->setEnabled(idle && document_.has_scan());
   trim_->setEnabled(idle && !loops.empty());
   stitch_->setEnabled(idle && document_.has_scan());
   const int cracks = cracks_left(document_);

@@ -307,7 +307,7 @@ void RepairTest::preparing_does_what_the_command_line_does_with_auto() {
   write_mesh(path.toStdString(), soup);
   Shown window({path});
   trigger(window, "prepareAction");
-  QVERIFY(wait_idle(window));
+  QVERIFY(apply_proposal(window));
   const OpenedScan& prepared = *window.document().scan(window.document().scans().front());
   const auto is_cut = [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; };
   QVERIFY(std::none_of(prepared.loops.begin(), prepared.loops.end(), is_cut));
@@ -481,7 +481,8 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   QCOMPARE(window.selection().selected(), std::set<int>{0});
   QVERIFY(wait_until([&] { return !window.view().is_flying(); }));
   const BoundaryLoop& boundary_loop = window.document().loop(0);
-  QVERIFY((window.view().viewpoint().focus - boundary_loop.center).norm() < boundary_loop.diameter / 4);  // it flew there
+  QVERIFY((window.view().viewpoint().focus - boundary_loop.center).norm() <
+          boundary_loop.diameter / 4);  // it flew there
   window.selection().select({});
   the_report_begins_with(window, 0);
   // The flat cap that is made by default is marked by nothing.
