@@ -31,6 +31,7 @@ struct PictureOptions {
   QSize size;  ///< device pixels, 64..8192 each
   enum class Ground { as_seen, transparent } ground = Ground::as_seen;
   enum class Extras { none, legend, legend_axes_scale } extras = Extras::legend_axes_scale;
+  int outlined = -1;  ///< loop whose boundary is drawn, and no other; −1: the boundaries as the view has them
 };
 
 class MeshView : public QWidget {

@@ -4,6 +4,8 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "document/fill_report.h"
+#include "document/labels.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "views/tool_controller.h"
@@ -134,7 +136,12 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
   click_vertex(window, near(window, {0.3, -0.16, 0.94}));
   QVERIFY(wait_until([&] { return document.scans() == std::vector<int>{1}; }));
   QVERIFY(wait_idle(window));
-  QVERIFY(last_scan(window).model->soup.triangles.size() > before);  // the strip
+  const std::size_t strip = last_scan(window).model->soup.triangles.size() - before;
+  QVERIFY(strip > 0);
+  // The report counts it among what is new.
+  const QString page = html_of(fill_report(document), PictureLinks::named);
+  QVERIFY(page.contains(QStringLiteral("The scan has %1 triangles.").arg(labels::count(before))));
+  QVERIFY(page.contains(QStringLiteral("a part of the scan, have %1.").arg(labels::count(strip))));
   QCOMPARE(document.patches().size(), std::size_t(2));
   QCOMPARE(open_loops(window), 1);
   int smoothed = 0, kept = 0;
