@@ -57,7 +57,7 @@ void FillBox::build() {
   target_ = make_note("fillTarget");
   target_->keep_room_for({QStringLiteral("1\n2")});
   estimate_ = make_note("fillEstimate");
-  estimate_->keep_room_for({QStringLiteral("1\n2")});
+  estimate_->keep_room_for({QStringLiteral("1")});
   density_ = new QDoubleSpinBox;
   density_->setRange(0.25, 4);
   density_->setSingleStep(0.25);
@@ -216,7 +216,7 @@ QString FillBox::advice(const std::set<int>& loops) const {
   if (std::any_of(selected.begin(), selected.end(), is(LoopKind::cut))) return tr("Repair\u2026 removes such edges.");
   if (all_are(selected, is_in(HoleState::cutting))) return tr("It cuts the surface: Discard, then Trim.");
   if (std::any_of(selected.begin(), selected.end(), [this](int loop) { return has_crease(loop); }))
-    return tr("A crease at the seam? Discard, then Trim, or erase a ring of faces.");
+    return tr("A crease at the seam? Discard, then Trim.");
   if (!selected.empty()) return {};
   if (count_cutting() > 0) return tr("Select one: Discard, then Trim.");
   int cracks = 0, cuts = 0, others = 0;  // that are left out
