@@ -445,11 +445,10 @@ void CompareWindow::update_wipe() {
   int side = 0;
   for (const QComboBox* box : {left_, right_}) {
     const int at = box->currentIndex() - 1;
-    const bool is_filled = task_.filled && at == flow_comparison_.flow_runs();
-    const ComparedRun& flow_run = is_filled                                      ? *task_.filled
-                                  : at < 0 || at >= flow_comparison_.flow_runs() ? *flow_comparison_.start()
-                                                                                 : *flow_comparison_.flow_run(at);
-    wipe_->show_patch(side++, flow_run.shape, arrival_of(flow_run));
+    const bool is_run = at >= 0 && at < flow_comparison_.flow_runs();
+    const ComparedRunPtr& other = at > 0 && task_.filled ? task_.filled : flow_comparison_.start();
+    const ComparedRunPtr& shown = is_run ? flow_comparison_.flow_run(at) : other;
+    wipe_->show_patch(side++, shown->shape, arrival_of(*shown));
   }
 }
 

@@ -481,8 +481,7 @@ void RepairTest::a_dome_over_a_flat_loop_is_red() {
   QCOMPARE(window.selection().selected(), std::set<int>{0});
   QVERIFY(wait_until([&] { return !window.view().is_flying(); }));
   const BoundaryLoop& boundary_loop = window.document().loop(0);
-  QVERIFY((window.view().viewpoint().focus - boundary_loop.center).norm() <
-          boundary_loop.diameter / 4);  // it flew there
+  QVERIFY((window.view().viewpoint().focus - boundary_loop.center).norm() < boundary_loop.diameter / 4);  // it flew there
   window.selection().select({});
   the_report_begins_with(window, 0);
   // The flat cap that is made by default is marked by nothing.
