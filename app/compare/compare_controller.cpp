@@ -37,6 +37,19 @@ OpenPatch patch_of(const ComparedRun& start, const ComparedRun& flow_run, double
   return patch;
 }
 
+/// What closes just these loops in the document, to be compared with the flows; null: nothing, or it closes others, too.
+ComparedRunPtr filled_patch(const Document& document, const std::set<int>& loops) {
+  const OpenPatch* patch = loops.empty() ? nullptr : document.patch_of(*loops.begin());
+  if (!patch || loops_of(*patch) != loops) return nullptr;
+  auto filled = std::make_shared<ComparedRun>();
+  static_cast<PatchResult&>(*filled) = *patch->state;
+  filled->stage = ComparedRun::Stage::ended;
+  filled->shape = patch->state->shape;
+  filled->energies = patch_energies(filled->patch);
+  filled->wide_jump = wide_curvature_jump(filled->patch);
+  return filled;
+}
+
 }  // namespace
 
 CompareController::CompareController(const Document& document, const HoleSelection& selection,
@@ -79,9 +92,11 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
     if (const OpenPatch* patch = document_.patch_of(loop)) density = patch->state->recipe.density;
   }
   const auto opened = document_.scan(scan);
+  const OpenPatch* patch = document_.patch_of(*chosen.begin());
+  const PatchStatePtr filled = patch ? patch->state : nullptr;
   std::erase_if(of_holes_, [](const OfHoles& shown) { return shown.window.isNull(); });
   for (const OfHoles& shown : of_holes_)
-    if (shown.model == opened->model && shown.loops == chosen && shown.density == density) {
+    if (shown.model == opened->model && shown.loops == chosen && shown.density == density && shown.filled == filled) {
       shown.window->showNormal();
       shown.window->raise();
       shown.window->activateWindow();
@@ -96,6 +111,7 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
   task.source.neighborhood = opened->shape;
   task.unit = labels::unit_symbol(document_.unit(scan));
   task.source.origin = document_.origin();
+  task.filled = filled_patch(document_, chosen);
   task.accept_help = tr("Put this patch into the holes, in place of what is there; can be undone");
   task.accept = [this, scan, model = opened->model, density](const ComparedRun& start, const ComparedRun& flow_run) {
     const auto now = document_.scan(scan);
@@ -110,7 +126,7 @@ CompareWindow* CompareController::compare_holes(const Look& look) {
     return tr("%1 was applied in the main window; Ctrl+Z there undoes it.").arg(labels::flow_name(flow_run.flow));
   };
   CompareWindow* window = compare(std::move(task), look);
-  of_holes_.push_back({window, opened->model, chosen, density});
+  of_holes_.push_back({window, opened->model, chosen, density, filled});
   return window;
 }
 

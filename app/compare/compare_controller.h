@@ -57,6 +57,7 @@ class CompareController : public QObject {
     ModelPtr model;
     std::set<int> loops;
     double density;
+    PatchStatePtr filled;  ///< when it was opened
   };
   std::vector<OfHoles> of_holes_;
   QTimer undertaker_;

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -78,10 +79,12 @@ std::vector<std::string> live_row(const ComparedRun& flow_run) {
 
 }  // namespace
 
-CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, const QString& unit, QWidget* parent)
+CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, const QString& unit, ComparedRunPtr filled,
+                               QWidget* parent)
     : QWidget(parent),
       flow_comparison_(flow_comparison),
       unit_(unit.isEmpty() ? tr("length") : unit),
+      filled_(std::move(filled)),
       table_(new QTableWidget),
       which_(new QComboBox),
       energies_(new Plot("compareEnergies", tr("Energy of each flow against the step"))),
@@ -130,6 +133,7 @@ void CompareNumbers::fill_row(int row, const std::vector<std::string>& cells) {
     if (bool is_number = false; QLocale::c().toDouble(text, &is_number), is_number)
       text.replace(QLatin1Char('.'), QLocale().decimalPoint());
     if (c == 0 && text == QLatin1String("start")) text = tr("Start");
+    if (c == 0 && text == QLatin1String("as filled")) text = tr("As filled");
     if (c == 1) text = status_words(cells[c]);
     if (text == QLatin1String("nan")) text = QStringLiteral("\u2013");
     QTableWidgetItem* item = table_->item(row, column);
@@ -143,10 +147,18 @@ void CompareNumbers::fill_row(int row, const std::vector<std::string>& cells) {
 }
 
 void CompareNumbers::update_all() {
-  const auto rows_now = table_rows(flow_comparison_);
+  auto rows_now = table_rows(flow_comparison_);
+  if (filled_ && !rows_now.empty())
+    rows_now.push_back(comparison_row("as filled", to_string(filled_->status), filled_->steps, filled_->energies,
+                                      filled_->seams, filled_->wide_jump, filled_->validity));
   table_->setRowCount(static_cast<int>(rows_now.size()));
   for (std::size_t row = 0; row < rows_now.size(); ++row) fill_row(static_cast<int>(row), rows_now[row]);
-  constexpr int rows = flows + 1;
+  if (filled_ && !rows_now.empty())
+    table_->item(table_->rowCount() - 1, 0)
+        ->setToolTip(tr("The patch that is in the document. Fill and smooth runs the flow on the smooth surface under "
+                        "a rough scan; "
+                        "the flows above take the boundary as it is."));
+  const int rows = flows + (filled_ ? 2 : 1);
   table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                          rows * table_->verticalHeader()->defaultSectionSize() + 4);
   table_->resizeColumnsToContents();

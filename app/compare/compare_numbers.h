@@ -18,8 +18,10 @@ class CompareNumbers : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param unit  of lengths; empty: not known
-  CompareNumbers(const ComparisonController& flow_comparison, const QString& unit, QWidget* parent = nullptr);
+  /// @param unit    of lengths; empty: not known
+  /// @param filled  has the last row of the table; null: there is none
+  CompareNumbers(const ComparisonController& flow_comparison, const QString& unit, ComparedRunPtr filled,
+                 QWidget* parent = nullptr);
 
   /// Everything again.
   void update_all();
@@ -42,6 +44,7 @@ class CompareNumbers : public QWidget {
 
   const ComparisonController& flow_comparison_;
   QString unit_;  ///< "length" where it is not known
+  ComparedRunPtr filled_;
   QTableWidget* table_;
   QComboBox* which_;
   Plot *energies_, *profiles_;

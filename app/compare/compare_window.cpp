@@ -77,7 +77,7 @@ CompareWindow::CompareWindow(ComparisonController& flow_comparison, CompareTask 
   setObjectName(QStringLiteral("compareWindow"));
   setWindowTitle(tr("Compare flows: %1").arg(flow_comparison_.title()));
   resize(QSize(1280, 840).boundedTo(largest_window()));
-  numbers_ = new CompareNumbers(flow_comparison_, task_.unit);
+  numbers_ = new CompareNumbers(flow_comparison_, task_.unit, task_.filled);
   auto* left = new QWidget;
   auto* views = make_layout<QVBoxLayout>(left);
   views->setSpacing(6);
@@ -318,9 +318,10 @@ void CompareWindow::update_all() {
       box->addItem(tr("Start"));
       for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
         box->addItem(labels::flow_name(flow_comparison_.flow(flow_run)));
+      if (task_.filled) box->addItem(tr("As filled"));
     }
     left_->setCurrentIndex(std::min(old_left, left_->count() - 1));
-    right_->setCurrentIndex(old_right < 0 ? right_->count() - 1 : std::min(old_right, right_->count() - 1));
+    right_->setCurrentIndex(old_right < 0 ? flow_comparison_.flow_runs() : std::min(old_right, right_->count() - 1));
   }
   if (there) {
     const std::vector<LoopLine> seams = seams_of(*flow_comparison_.start());
@@ -444,9 +445,10 @@ void CompareWindow::update_wipe() {
   int side = 0;
   for (const QComboBox* box : {left_, right_}) {
     const int at = box->currentIndex() - 1;
-    const ComparedRun& flow_run =
-        at < 0 || at >= flow_comparison_.flow_runs() ? *flow_comparison_.start() : *flow_comparison_.flow_run(at);
-    wipe_->show_patch(side++, flow_run.shape, arrival_of(flow_run));
+    const bool is_run = at >= 0 && at < flow_comparison_.flow_runs();
+    const ComparedRunPtr& other = at > 0 && task_.filled ? task_.filled : flow_comparison_.start();
+    const ComparedRunPtr& shown = is_run ? flow_comparison_.flow_run(at) : other;
+    wipe_->show_patch(side++, shown->shape, arrival_of(*shown));
   }
 }
 

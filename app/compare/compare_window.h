@@ -36,6 +36,8 @@ struct CompareTask {
   ProblemWords command;  ///< the same for a shell
   QString unit;          ///< "mm"; empty: not known
   QString accept_help;   ///< what taking a result over does, in words
+  ComparedRunPtr
+      filled{};  ///< the patch that closes the holes in the document; null: there is none, or it is of other holes
   std::function<QString(const ComparedRun& start, const ComparedRun& flow_run)>
       accept;  ///< does it. @returns what to tell the person
 };

@@ -43,10 +43,12 @@ const Words all_words[] = {
      QT_TRANSLATE_NOOP("loopmend::RepairDialog",
                        "Every edge gets two faces at most, every vertex one fan; faces are turned to agree")},
     {Defect::overlaps, "Overlapping",
-     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Closed bodies that overlap; Fix all leaves them"),
+     QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Bodies that overlap; Fix all leaves them"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Unite"),
-     QT_TRANSLATE_NOOP("loopmend::RepairDialog",
-                       "One body of all that overlap, touch along faces or lie within each other; cavities stay")},
+     QT_TRANSLATE_NOOP(
+         "loopmend::RepairDialog",
+         "One body of all closed ones that overlap, touch along faces or lie within each other; cavities stay. "
+         "Open ones are left")},
     {Defect::handles, "Handles", QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Tiny handles; Fix all leaves them"),
      QT_TRANSLATE_NOOP("loopmend::RepairDialog", "Cut open"),
      QT_TRANSLATE_NOOP(

@@ -4,6 +4,7 @@
 #include "core/version.h"
 #include "document/command_line.h"
 #include "document/labels.h"
+#include "document/laid_points.h"
 #include "document/message_words.h"
 #include "document/targets.h"
 #include "operators/curvature_energy.h"
@@ -104,20 +105,32 @@ std::vector<int> loops_in_order(const Document& document) {
   return loops;
 }
 
+/// Bridges are as new as patches are, though they are faces of the scan.
 QString size_of_patches(const FillReport& report) {
   double area = 0, added = 0;
   std::size_t triangles = 0, new_triangles = 0;
-  for (const auto& model : report.models) {
-    area += area_of(model->soup);
-    triangles += model->soup.triangles.size();
+  LaidTriangles laid;
+  for (std::size_t k = 0; k < report.models.size(); ++k) {
+    const TriangleSoup& soup = report.models[k]->soup;
+    const LaidTriangles own = laid_triangles(soup, report.laid[k]);
+    laid.count += own.count;
+    laid.area += own.area;
+    area += area_of(soup) - own.area;
+    triangles += soup.triangles.size() - own.count;
   }
   for (const PatchStatePtr& state : report.patches) {
     added += patch_area(state->patch) * state->patch.scale * state->patch.scale;
     new_triangles += static_cast<std::size_t>(state->patch.patch_triangles);
   }
-  return tr("The scan has %1 triangles. The patches add %2 triangles; they are %3 % of the whole area.")
-      .arg(labels::count(triangles), labels::count(new_triangles),
-           labels::number(area + added > 0 ? 100 * added / (area + added) : 0));
+  const double all = area + added + laid.area;
+  const QString share = labels::number(all > 0 ? 100 * (added + laid.area) / all : 0);
+  const QString scan = labels::count(triangles), patches = labels::count(new_triangles);
+  if (laid.count == 0)
+    return tr("The scan has %1 triangles. The patches add %2 triangles; they are %3 % of the whole area.")
+        .arg(scan, patches, share);
+  return tr("The scan has %1 triangles. The patches add %2 triangles; bridges, and patches that became a part of the "
+            "scan, have %3. Together these are %4 % of the whole area.")
+      .arg(scan, patches, labels::count(laid.count), share);
 }
 
 /// @param unnamed  open loops beside those that the report names
@@ -174,6 +187,7 @@ FillReport fill_report(const Document& document) {
   for (int scan : document.scans()) {
     names << document.scan(scan)->name;
     report.models.push_back(document.scan(scan)->model);
+    report.laid.push_back(document.scan(scan)->laid);
   }
   report.title = tr("Holes of %1").arg(names.join(QStringLiteral(", ")));
   for (int loop : loops_in_order(document)) report.holes.push_back(hole_of(document, loop));

@@ -26,6 +26,7 @@ struct FillReport {
   QString title;
   /// How much the patches add is measured as the page is made, not in the window's thread.
   std::vector<std::shared_ptr<const SurfaceModel>> models;
+  std::vector<Points> laid;  ///< of each model
   std::vector<PatchStatePtr> patches;
   QStringList facts;  ///< more sentences on the whole scene
   std::vector<Hole> holes;

@@ -50,6 +50,7 @@ struct OpenedScan {
   KeptFilePtr kept;  ///< where it came out of a session that holds it; `path` may then be of a file that is gone
   ImportReport import;
   std::shared_ptr<const SurfaceModel> model;
+  Points laid;  ///< of bridges and the like: see document/laid_points.h; sessions do not keep them
   std::vector<BoundaryLoop> loops;
   ScanPieces pieces;
   Vec3 origin = Vec3::Zero();  ///< of `shape`

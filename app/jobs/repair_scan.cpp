@@ -2,6 +2,7 @@
 #include "jobs/repair_scan.h"
 
 #include "document/labels.h"
+#include "document/laid_points.h"
 #include "jobs/change_surface.h"
 #include "jobs/defect_places.h"
 #include "jobs/fill_controller.h"
@@ -79,6 +80,10 @@ std::vector<int> faces_at_stitches(const SurfaceModel& model, const NearBoundari
   return faces;
 }
 
+void keep_laid_points(const OpenedScan& before, OpenedScan& after) {
+  after.laid = with_laid_points(before.laid, before.model->soup.points, after.model->soup.points);
+}
+
 /// @param distance  within which the tiles lie over each other
 RepairedScan with_joined_tiles(const ScanRepairTask& task, double distance) {
   const OpenedScan& old = *task.opened;
@@ -96,6 +101,7 @@ RepairedScan with_joined_tiles(const ScanRepairTask& task, double distance) {
                           .arg(old.name, faces, strips);
   repaired.changed_faces = changed_faces(old.model->soup, model.soup);
   repaired.made = made_scan(std::move(model.soup), old.name, old.origin);
+  keep_laid_points(old, *repaired.made);
   return repaired;
 }
 
@@ -163,8 +169,11 @@ std::optional<RepairedScan> prepared(const ScanRepairTask& task) {
     done << FillController::tr("%Ln crossing triangles removed", nullptr, n(plan.trimmed.size()));
   if (done.isEmpty()) return std::nullopt;
   if (task.on_step) task.on_step({RepairStage::measure_result});
-  return RepairedScan{task.scan, made_scan(std::move(plan.model.soup), old.name, old.origin),
-                      FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
+  RepairedScan result{task.scan, nullptr, FillController::tr("Prepare %1").arg(old.name), sentence_of(old, done)};
+  result.proposal = FillController::tr("%1 would be prepared: %2.").arg(old.name, done.join(QStringLiteral(", ")));
+  result.changed_faces = changed_faces(old.model->soup, plan.model.soup);
+  result.made = made_scan(std::move(plan.model.soup), old.name, old.origin);
+  return result;
 }
 
 RepairedScan bridged(const ScanRepairTask& task) {
@@ -309,6 +318,10 @@ std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask&
   }
   if (!result || !result->made) return result;
   result->made->repaired_from = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->repaired_from;
+  if (what == ScanRepair::bridge || what == ScanRepair::erase)
+    keep_laid_points(*task.opened, *result->made);
+  else if (result->made->laid.empty())
+    result->made->laid = task.opened->laid;
   result->loops_before = count_loops(*task.opened);
   result->loops = count_loops(*result->made);
   if (what == ScanRepair::repair || what == ScanRepair::prepare || what == ScanRepair::stitch)

@@ -36,6 +36,7 @@ FillBox::FillBox(const Document& document, const HoleSelection& selection, FillC
   connect(&preview_timer_, &QTimer::timeout, this, &FillBox::preview_now);
   connect(whole_, &QPushButton::clicked, this, qOverload<>(&FillBox::fill_and_smooth));
   connect(fill_, &QPushButton::clicked, this, &FillBox::fill);
+  connect(prepare_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::prepare); });
   connect(trim_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::trim); });
   connect(stitch_, &QPushButton::clicked, this, [this] { repair_scans(ScanRepair::stitch); });
   connect(repair_, &QPushButton::clicked, this, &FillBox::repair_wanted);
@@ -56,7 +57,7 @@ void FillBox::build() {
   target_ = make_note("fillTarget");
   target_->keep_room_for({QStringLiteral("1\n2")});
   estimate_ = make_note("fillEstimate");
-  estimate_->keep_room_for({QStringLiteral("1\n2")});
+  estimate_->keep_room_for({QStringLiteral("1")});
   density_ = new QDoubleSpinBox;
   density_->setRange(0.25, 4);
   density_->setSingleStep(0.25);
@@ -74,6 +75,9 @@ void FillBox::build() {
       "islands", tr("Join islands"),
       tr("Join islands, components that lie within a hole, to its patch; otherwise the patch covers them"));
   islands_->setChecked(true);
+  prepare_ = make_button("prepare", tr("Prepare"),
+                         tr("Stitch, repair and trim where the scan needs that to be filled, and change nothing else; "
+                            "shows first what it would change"));
   trim_ = make_button(
       "trim", tr("Trim"),
       tr("Remove dangling, folded, needle-like and crossing triangles at the boundaries of these holes, up to "
@@ -103,7 +107,10 @@ void FillBox::build() {
   head->addWidget(make_fold("moreOfFill", tr("More options"), more), 0, Qt::AlignTop);
   grid->addLayout(head, 0, 0, 1, 3);
   grid->addWidget(estimate_, 1, 0, 1, 3);
-  grid->addWidget(whole_, 2, 0, 1, 3);
+  auto* do_it = new QHBoxLayout;
+  do_it->addWidget(prepare_);
+  do_it->addWidget(whole_, 1);
+  grid->addLayout(do_it, 2, 0, 1, 3);
   auto* repairs = new QHBoxLayout;
   for (QPushButton* button : {trim_, stitch_, repair_}) repairs->addWidget(button);
   grid->addLayout(repairs, 4, 0, 1, 3);
@@ -209,7 +216,7 @@ QString FillBox::advice(const std::set<int>& loops) const {
   if (std::any_of(selected.begin(), selected.end(), is(LoopKind::cut))) return tr("Repair\u2026 removes such edges.");
   if (all_are(selected, is_in(HoleState::cutting))) return tr("It cuts the surface: Discard, then Trim.");
   if (std::any_of(selected.begin(), selected.end(), [this](int loop) { return has_crease(loop); }))
-    return tr("A crease at the seam? Discard, then Trim, or erase a ring of faces.");
+    return tr("A crease at the seam? Discard, then Trim.");
   if (!selected.empty()) return {};
   if (count_cutting() > 0) return tr("Select one: Discard, then Trim.");
   int cracks = 0, cuts = 0, others = 0;  // that are left out
@@ -256,6 +263,7 @@ void FillBox::update_state() {
   whole_->setText(loops.empty() && whole_->isEnabled() ? tr("Smooth") : tr("Fill and smooth"));
   density_->setEnabled(idle && document_.has_scan());
   islands_->setEnabled(idle && document_.has_scan());
+  prepare_->setEnabled(idle && document_.has_scan());
   trim_->setEnabled(idle && !loops.empty());
   stitch_->setEnabled(idle && document_.has_scan());
   const int cracks = cracks_left(document_);

@@ -61,7 +61,8 @@ class FillBox : public QGroupBox {
   QuietLabel* estimate_ = nullptr;
   QDoubleSpinBox* density_ = nullptr;
   QCheckBox *preview_ = nullptr, *islands_ = nullptr;
-  QPushButton *whole_ = nullptr, *fill_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr, *repair_ = nullptr;
+  QPushButton *whole_ = nullptr, *fill_ = nullptr, *prepare_ = nullptr, *trim_ = nullptr, *stitch_ = nullptr,
+              *repair_ = nullptr;
   QGridLayout* rest_ = nullptr;
   QTimer preview_timer_{this};
 };

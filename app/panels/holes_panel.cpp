@@ -32,6 +32,8 @@
 namespace loopmend {
 namespace {
 
+constexpr int lowest = 102;  ///< of the table: the head and three rows
+
 /// Home and End go to the first and the last row, not along a row: with Shift they extend the selection until there.
 class RowsView : public QTableView {
  protected:
@@ -63,11 +65,16 @@ HolesPanel::HolesPanel(Document& document, HoleSelection& selection, QWidget* pa
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 8);
   layout->setSpacing(6);
-  layout->addWidget(table_, 3);
+  layout->addWidget(table_, 1);
   auto* below = new QHBoxLayout;
   below->addWidget(summary_, 1);
   below->addWidget(next_);
-  layout->addWidget(new VerdictBox(document, selection), 1);
+  auto* verdict = new VerdictBox(document, selection);
+  layout->addWidget(verdict);
+  // Together they need the same height at all times: in a low window the buttons below would move.
+  const auto share = [this, verdict] { table_->setMinimumHeight(lowest + verdict->spare_height()); };
+  connect(verdict, &VerdictBox::spare_height_changed, table_, share);
+  share();
   layout->addLayout(below);
   auto* last = new QHBoxLayout;
   auto* rest = new QWidget;
@@ -163,8 +170,6 @@ void HolesPanel::build_table() {
   table_->setMouseTracking(true);
   table_->viewport()->installEventFilter(this);
   table_->installEventFilter(this);
-  constexpr int lowest = 76;  // the head and two rows
-  table_->setMinimumHeight(lowest);
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);

@@ -94,7 +94,7 @@ void LookPanel::build() {
           tr("Draw the boundaries of holes and the seams of patches (M)"));
   tint_ = new QCheckBox(tr("Tint on the patches"));
   explain(tint_, "showTint", tr("Tint on the patches"),
-          tr("Draw patches greener than the scan, in every shading (Shift+T)"));
+          tr("Draw patches greener than the scan; over the colours of curvature as a hatching (Shift+T)"));
   auto* overlays = new QGroupBox(tr("Drawn over it"));
   auto* overlay_layout = new QVBoxLayout(overlays);
   overlay_layout->addWidget(edges_);
@@ -173,6 +173,7 @@ void LookPanel::show_look() {
   edges_->setChecked(look_.edges == Edges::shown);
   seams_->setChecked(look_.seams == Seams::shown);
   tint_->setChecked(look_.tint == Tint::patches);
+  tint_->setEnabled(!colors_patches_alone(look_.shading));
   stripes_->setValue(look_.stripes);
   colors_->setVisible(colored);
   striped_->setVisible(look_.shading == Shading::zebra || look_.shading == Shading::isophotes);

@@ -5,6 +5,8 @@
 #include <QGuiApplication>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollArea>
+#include <QTimer>
 #include <QToolButton>
 
 namespace loopmend {
@@ -43,6 +45,12 @@ QToolButton* make_fold(const char* name, const QString& title, QWidget* content)
   QObject::connect(button, &QToolButton::toggled, content, [button, content](bool open) {
     button->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     content->setVisible(open);
+    if (!open) return;
+    QTimer::singleShot(0, content, [button, content] {  // when it has its place
+      for (QWidget* above = content->parentWidget(); above; above = above->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(above))
+          for (QWidget* seen : {content, static_cast<QWidget*>(button)}) area->ensureWidgetVisible(seen, 0, 0);
+    });
   });
   return button;
 }

@@ -15,8 +15,9 @@
 namespace loopmend {
 namespace {
 
-constexpr int lines = 6, fewest_lines = 5;  ///< in a low window; more are reached by scrolling
-constexpr int refresh_ms = 120;             ///< while a flow runs
+constexpr int lines = 5;                ///< more are reached by scrolling
+constexpr int lines_of_no_verdict = 2;  ///< while there is nothing to judge the table has the room
+constexpr int refresh_ms = 120;         ///< while a flow runs
 
 }  // namespace
 
@@ -35,8 +36,6 @@ VerdictBox::VerdictBox(const Document& document, const HoleSelection& selection,
   label_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   setWidget(label_);
-  setMinimumHeight(height_of(fewest_lines));
-  setMaximumHeight(height_of(lines));
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   soon_.setSingleShot(true);
   soon_.setInterval(refresh_ms);
@@ -54,7 +53,20 @@ VerdictBox::VerdictBox(const Document& document, const HoleSelection& selection,
 
 int VerdictBox::height_of(int line_count) const { return line_count * label_->fontMetrics().lineSpacing() + 4; }
 
-QSize VerdictBox::sizeHint() const { return {QScrollArea::sizeHint().width(), height_of(fewest_lines)}; }
+QSize VerdictBox::sizeHint() const { return {QScrollArea::sizeHint().width(), minimumHeight()}; }
+
+int VerdictBox::spare_height() const { return height_of(lines) - minimumHeight(); }
+
+/// Not by the text: what lies above would change under the mouse that selects in it.
+void VerdictBox::update_height() {
+  bool any = !document_.patches().empty();
+  for (int loop = 0; !any && loop < document_.loop_count(); ++loop)
+    any = document_.present(loop) && document_.to_look_at(loop);
+  const int height = height_of(any ? lines : lines_of_no_verdict);
+  if (height == minimumHeight()) return;
+  setFixedHeight(height);
+  Q_EMIT spare_height_changed();
+}
 
 QString VerdictBox::text() const { return label_->text(); }
 
@@ -81,6 +93,7 @@ QString VerdictBox::text_of_selection() const {
 
 void VerdictBox::update_text() {
   soon_.stop();
+  update_height();
   const QString now = text_of_selection();
   if (now == label_->text()) return;
   label_->setText(now);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Under the table of holes: what was found about the patch of the selected hole, and what can be done. Its height does not
-// depend on the text.
+// depend on the text; before anything can be judged it is low.
 #pragma once
 
 #include <QScrollArea>
@@ -20,10 +20,16 @@ class VerdictBox : public QScrollArea {
   VerdictBox(const Document& document, const HoleSelection& selection, QWidget* parent = nullptr);
   QString text() const;
   QSize sizeHint() const override;
+  /// By how much it is lower than it will be, pixels.
+  int spare_height() const;
+
+ Q_SIGNALS:
+  void spare_height_changed();
 
  private:
   int height_of(int line_count) const;
   void update_text();
+  void update_height();
   QString text_of_selection() const;
 
   const Document& document_;

@@ -62,6 +62,7 @@ struct MeshScene::Impl {
   Edges edges = Edges::hidden;
   Tint tint = Tint::none;
   int stripes = 9;
+  double pixel_ratio = 1;
   vtkSmartPointer<vtkPlane> clipping;  ///< null: nothing is clipped
   int width = 1, height = 1, covered = 0;
   bool patches_changed = false, moving = false;
@@ -100,6 +101,7 @@ struct MeshScene::Impl {
     surface.set_shading(shading);
     surface.set_edges(edges);
     surface.set_tint(tint);
+    surface.set_pixel_ratio(pixel_ratio);
     surface.set_stripes(stripes);
     surface.set_clipping(clipping);
   }
@@ -425,6 +427,8 @@ void MeshScene::set_pixel_ratio(double ratio) {
   impl_->renderer->still_changed();
   impl_->legend.set_pixel_ratio(ratio);
   impl_->loops.set_pixel_ratio(ratio);
+  impl_->pixel_ratio = ratio;
+  impl_->each_surface([&](SurfaceActor& surface) { surface.set_pixel_ratio(ratio); });
   impl_->update_legend();
 }
 

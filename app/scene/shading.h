@@ -22,16 +22,19 @@ inline bool is_colored(Shading shading) {
 }
 /// Whether its values have no sign: the colour map begins at 0.
 inline bool begins_at_zero(Shading shading) { return shading == Shading::deviation; }
+/// Whether the scan has no values, so that its patches are the only coloured surfaces.
+inline bool colors_patches_alone(Shading shading) {
+  return shading == Shading::deviation || shading == Shading::difference;
+}
 /// Whether a patch is drawn with the rings around it.
 inline bool is_drawn_over_the_scan(Shading shading) {
-  return shading != Shading::plain && shading != Shading::scan && shading != Shading::deviation &&
-         shading != Shading::difference;
+  return shading != Shading::plain && shading != Shading::scan && !colors_patches_alone(shading);
 }
 inline bool has_stripes(Shading shading) { return shading == Shading::zebra || shading == Shading::isophotes; }
 
 enum class Edges { hidden, shown };
 enum class Seams { hidden, shown };
-/// Whether patches have a tint over whatever colours them, so that they are found.
+/// Whether patches have a tint, so that they are found; a hatching over the colours of curvature.
 enum class Tint { none, patches };
 
 }  // namespace loopmend

@@ -91,7 +91,10 @@ constexpr const char* striped = R"(
   amount = mix(1.0, amount, 0.45);
 )";
 constexpr const char* ending = R"(
-  loopmendBase = mix(loopmendBase, vec3(0.25, 0.75, 0.30), loopmendTint);
+  float loopmendMixed = loopmendTint;
+  if (loopmendHatch > 0.0)
+    loopmendMixed *= step(mod(gl_FragCoord.x + gl_FragCoord.y, loopmendHatch), loopmendHatch / 6.0);
+  loopmendBase = mix(loopmendBase, vec3(0.25, 0.75, 0.30), loopmendMixed);
   vec3 loopmendLit = gl_FrontFacing ? loopmendBase * amount + loopmendShine
                                     : mix(loopmendBase, vec3(0.60, 0.50, 0.45), 0.75) * amount;
   fragOutput0 = vec4(mix(loopmendLit, loopmendEdgeColor, loopmendEdge), 1.0);
@@ -198,7 +201,7 @@ SurfaceActor::SurfaceActor(Role role, vtkLookupTable* table) : role_(role) {
   std::copy(edge_color.begin(), edge_color.end(), edge.begin());
   shader->GetFragmentCustomUniforms()->SetUniform3f("loopmendEdgeColor", edge.data());
   shader->GetFragmentCustomUniforms()->SetUniformi("loopmendColored", 0);
-  shader->GetFragmentCustomUniforms()->SetUniformf("loopmendTint", 0);
+  update_tint();
   set_stripes(default_stripes);
 }
 
@@ -332,15 +335,30 @@ void SurfaceActor::set_shading(Shading shading) {
   if (other_program) choose_program();
   if (shape_ && role_ == Role::patch) update_triangles();
   actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformi("loopmendShading", static_cast<int>(shading));
+  update_tint();
   if (shape_ && other_scalars) update_scalars();
 }
 
 void SurfaceActor::set_tint(Tint tint) {
   if (role_ != Role::patch || std::exchange(tint_, tint) == tint) return;
-  constexpr float strength = 0.4F;
-  actor_->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("loopmendTint",
-                                                                        tint == Tint::patches ? strength : 0);
+  update_tint();
   if (shape_) update_triangles();
+}
+
+/// Over a colour map it is a hatching, since a mixed colour would be read as another value; where patches alone have colours,
+/// there is none.
+void SurfaceActor::update_tint() {
+  constexpr float strength = 0.4F, of_hatching = 0.8F;
+  constexpr float hatching = 12;  // logical pixels
+  const bool is_map = is_colored(shading_), has_tint = tint_ == Tint::patches && !colors_patches_alone(shading_);
+  vtkUniforms* uniforms = actor_->GetShaderProperty()->GetFragmentCustomUniforms();
+  uniforms->SetUniformf("loopmendTint", !has_tint ? 0 : is_map ? of_hatching : strength);
+  uniforms->SetUniformf("loopmendHatch", is_map ? hatching * pixel_ratio_ : 0);
+}
+
+void SurfaceActor::set_pixel_ratio(double ratio) {
+  pixel_ratio_ = static_cast<float>(ratio);
+  update_tint();
 }
 
 void SurfaceActor::set_edges(Edges edges) { actor_->GetProperty()->SetEdgeVisibility(edges == Edges::shown); }

@@ -51,6 +51,8 @@ class SurfaceActor {
   void set_clipping(vtkPlane* plane);
   /// How many stripes zebra and isophotes have; 3..40.
   void set_stripes(int count);
+  /// Device pixels per logical pixel.
+  void set_pixel_ratio(double ratio);
   void set_table(vtkLookupTable* table);
   /// To be called after the table's range changed.
   void recolor();
@@ -67,6 +69,7 @@ class SurfaceActor {
   void show(SurfaceShapePtr shape);
   void glide(SurfaceShapePtr shape, Arrival arrival, Clock::time_point now);
   void choose_program();
+  void update_tint();
   void update_triangles();
   void update_scalars();
   void update_texture();
@@ -74,6 +77,7 @@ class SurfaceActor {
   Role role_;
   Shading shading_ = Shading::curvature;
   Tint tint_ = Tint::none;
+  float pixel_ratio_ = 1;
   SurfaceShapePtr shape_, triangles_of_;
   std::shared_ptr<const Picture> picture_;  ///< of the actor's texture
   std::unique_ptr<ShapeGlide> glide_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/bridge_tool.h"
 
+#include "core/error.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -11,6 +13,7 @@ namespace loopmend {
 namespace {
 
 constexpr double bridge_reach = 14;  ///< logical pixels
+const QColor strip_color(214, 104, 16), strip_ink(24, 28, 34);
 
 }  // namespace
 
@@ -29,7 +32,10 @@ void BridgeTool::forget() {
 }
 
 void BridgeTool::clear() {
-  hovered_ = begun_ = -1;
+  hovered_ = begun_ = strip_to_ = -1;
+  strip_.reset();
+  maker_.reset();
+  model_.reset();
   Q_EMIT changed();
 }
 
@@ -64,12 +70,19 @@ bool BridgeTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
   const auto seat = [this](int i) { return seats_[i]; };
   if (purpose_ != Purpose::bridge && begun_ >= 0 && hovered_ >= 0 && seat(begun_).loop != seat(hovered_).loop)
     hovered_ = -1;
+  find_strip();
   if (act != Act::press) return act == Act::hover;
   if (event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier)) return false;
   if (hovered_ < 0) return false;  // beside the boundaries: the picture turns
   const Seat second = seats_[hovered_];
   if (begun_ < 0 || seats_[begun_].scan != second.scan) {
-    begun_ = hovered_;
+    const int chosen = hovered_;
+    clear();
+    begun_ = hovered_ = chosen;
+    if (purpose_ != Purpose::edge) {
+      model_ = document_.scan(second.scan)->model;
+      maker_ = std::make_unique<BridgeMaker>(*model_);
+    }
     Q_EMIT changed();
     return true;
   }
@@ -96,13 +109,46 @@ double BridgeTool::length(int seat, int steps) const {
   return sum;
 }
 
+void BridgeTool::find_strip() {
+  const bool can_be = maker_ && hovered_ >= 0 && hovered_ != begun_ && seats_[hovered_].scan == seats_[begun_].scan;
+  const int to = can_be ? hovered_ : -1;
+  if (std::exchange(strip_to_, to) == to) return;
+  strip_.reset();
+  if (to < 0) return;
+  try {
+    strip_ = maker_->strip(seats_[begun_].soup_point, seats_[to].soup_point);
+  } catch (const Error&) {
+    // A click says why.
+  }
+}
+
+std::vector<Vec3> BridgeTool::side_of_strip(Side side) const {
+  const Points& own = model_->soup.points;
+  std::vector<Vec3> line;
+  for (const std::array<int, 3>& row : strip_->rows) {
+    const auto at = static_cast<std::size_t>(side == Side::left ? row.front() : row.back());
+    line.push_back(at < own.size() ? own[at] : strip_->points[at - own.size()]);
+  }
+  return line;
+}
+
+std::vector<Vec3> BridgeTool::new_edge() const {
+  if (!strip_ || part().empty()) return {};
+  return side_of_strip(is_forward() ? Side::left : Side::right);
+}
+
+bool BridgeTool::is_forward() const {
+  const Seat& at = seats_[begun_];
+  const int there = (hovered_ - begun_ + at.count) % at.count;
+  return (length(begun_, there) <= length(hovered_, at.count - there)) != longer_;
+}
+
 /// The bridge takes the edges on both sides of both vertices: a part begins behind them.
 std::vector<int> BridgeTool::part() const {
   if (purpose_ != Purpose::fill_part || begun_ < 0 || hovered_ < 0 || begun_ == hovered_) return {};
   const Seat& at = seats_[begun_];
-  const int there = (hovered_ - begun_ + at.count) % at.count, back = at.count - there;
-  const bool forth = (length(begun_, there) <= length(hovered_, back)) != longer_;
-  const int from = forth ? begun_ : hovered_, steps = forth ? there : back;
+  const int there = (hovered_ - begun_ + at.count) % at.count;
+  const int from = is_forward() ? begun_ : hovered_, steps = is_forward() ? there : at.count - there;
   std::vector<int> seats;
   for (int k = 1; k < steps; ++k) seats.push_back(at.first + (from - at.first + k) % at.count);
   return seats;
@@ -114,34 +160,65 @@ std::vector<int> BridgeTool::lit_points() const {
   return points;
 }
 
+/// What a click would make: the strip, or the part with the edge that it would leave.
+void BridgeTool::paint_strip(QPainter& painter, const ViewSpace& space) const {
+  const Vec3& origin = document_.origin();
+  const auto on_screen = [&](const std::vector<Vec3>& line) {
+    QPolygonF shown;
+    for (const Vec3& p : line)
+      if (const Vec3 at = space.to_screen(p - origin); at.z() >= 0) shown << QPointF(at.x(), at.y()) / space.ratio;
+    return shown;
+  };
+  const bool fills = purpose_ == Purpose::fill_part;
+  std::vector<QPolygonF> edges{on_screen(fills ? new_edge() : side_of_strip(Side::left))};
+  QPolygonF inside = edges.front();
+  if (fills) {
+    const Points& own = model_->soup.points;
+    std::vector<Vec3> boundary;
+    for (int seat : part()) boundary.push_back(own[static_cast<std::size_t>(seats_[seat].soup_point)]);
+    const QPolygonF along = on_screen(boundary);
+    // The part runs from the strip's first end on, or from its second.
+    if (is_forward()) std::reverse(inside.begin(), inside.end());
+    inside = along + inside;
+    painter.setPen(QPen(strip_color, 3));
+    painter.drawPolyline(along);
+  } else {
+    edges.push_back(on_screen(side_of_strip(Side::right)));
+    inside += QPolygonF(QVector<QPointF>(edges.back().rbegin(), edges.back().rend()));
+  }
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(214, 104, 16, 60));
+  painter.drawPolygon(inside);
+  for (const QPolygonF& edge : edges) {
+    painter.setPen(QPen(strip_ink, 4));
+    painter.drawPolyline(edge);
+    painter.setPen(QPen(strip_color, 2, Qt::DashLine));
+    painter.drawPolyline(edge);
+  }
+}
+
 void BridgeTool::paint(QPainter& painter, const ViewSpace& space) {
   take_loops();
-  const QColor held(214, 104, 16), loose(255, 255, 255), ink(24, 28, 34);
+  const QColor loose(255, 255, 255);
   const auto dot = [&](int seat, const QColor& color) {
     const QPointF at = points_.on_screen(space, seat);
     if (!std::isfinite(at.x())) return;
-    painter.setPen(QPen(ink, 1.6));
+    painter.setPen(QPen(strip_ink, 1.6));
     painter.setBrush(color);
     painter.drawEllipse(at, 6, 6);
   };
   if (begun_ >= 0) {
     const QPointF from = points_.on_screen(space, begun_);
     const QPointF to = hovered_ >= 0 ? points_.on_screen(space, hovered_) : at_;
-    QPolygonF along;
-    for (int seat : part())
-      if (const QPointF at = points_.on_screen(space, seat); std::isfinite(at.x())) along << at;
-    if (along.size() > 1) {
-      painter.setBrush(QColor(214, 104, 16, 60));
-      painter.setPen(QPen(held, 3));
-      painter.drawPolygon(along);
-    }
-    if (std::isfinite(from.x()) && std::isfinite(to.x())) {
-      painter.setPen(QPen(ink, 4));
+    if (strip_) {
+      paint_strip(painter, space);
+    } else if (std::isfinite(from.x()) && std::isfinite(to.x())) {
+      painter.setPen(QPen(strip_ink, 4));
       painter.drawLine(from, to);
-      painter.setPen(QPen(held, 2, Qt::DashLine));
+      painter.setPen(QPen(strip_color, 2, Qt::DashLine));
       painter.drawLine(from, to);
     }
-    dot(begun_, held);
+    dot(begun_, strip_color);
   }
   if (hovered_ >= 0 && hovered_ != begun_) dot(hovered_, loose);
 }

@@ -3,9 +3,13 @@
 #pragma once
 
 #include "document/scene_visibility.h"
+#include "pipeline/hand_bridge.h"
 #include "tools/screen_points.h"
 
 #include <QObject>
+
+#include <memory>
+#include <optional>
 
 namespace loopmend {
 
@@ -29,6 +33,10 @@ class BridgeTool : public QObject, public ViewTool {
   void clear();
   /// Soup points of the part that is lit: it would be filled by a click. Empty: none.
   std::vector<int> lit_points() const;
+  /// The strip that a click would lay; none where the two vertices allow none.
+  const std::optional<BridgeStrip>& strip() const { return strip_; }
+  /// That side of it at which the hole stays open, as it is drawn; mesh units. Empty: no part is lit.
+  std::vector<Vec3> new_edge() const;
 
   bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) override;
   void paint(QPainter& painter, const ViewSpace& space) override;
@@ -54,6 +62,13 @@ class BridgeTool : public QObject, public ViewTool {
   /// The seats of the part that would be filled between the first vertex and the one under the mouse; empty: none.
   std::vector<int> part() const;
   double length(int seat, int steps) const;
+  /// Whether the lit part runs from the first vertex on, and not from the second.
+  bool is_forward() const;
+  /// Of what a click would do now.
+  void find_strip();
+  enum class Side { left, right };
+  std::vector<Vec3> side_of_strip(Side side) const;
+  void paint_strip(QPainter& painter, const ViewSpace& space) const;
 
   const Document& document_;
   const SceneVisibility& visibility_;
@@ -63,7 +78,11 @@ class BridgeTool : public QObject, public ViewTool {
   QPointF at_;
   int hovered_ = -1, begun_ = -1;
   Purpose purpose_ = Purpose::bridge;
-  bool longer_ = false;  ///< Ctrl is held
+  bool longer_ = false;                        ///< Ctrl is held
+  std::shared_ptr<const SurfaceModel> model_;  ///< of the maker
+  std::unique_ptr<BridgeMaker> maker_;         ///< of the first vertex's scan
+  std::optional<BridgeStrip> strip_;
+  int strip_to_ = -1;  ///< the seat that strip_ is for
 };
 
 }  // namespace loopmend

@@ -194,7 +194,7 @@ void MainWindow::build_docks() {
   connect(&patch_->decision_box(), &DecisionBox::seam_wanted, bottom,
           [bottom] { bottom->setVisible(bottom->isHidden()); });
   resizeDocks({holes}, {370}, Qt::Horizontal);
-  resizeDocks({holes, right}, {300, 470}, Qt::Vertical);
+  resizeDocks({holes, right}, {330, 440}, Qt::Vertical);
   resizeDocks({bottom}, {214}, Qt::Vertical);
 }
 

@@ -326,7 +326,7 @@ void MainWindow::update_actions() {
   const int cracks = cracks_left(document_);
   a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %Ln crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));
   follow("repairAction", "repair");
-  follow("prepareAction", "repair");
+  follow("prepareAction", "prepare");
   follow("turnAroundAction", "repair");
   const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
   a["eraseRingAction"]->setEnabled(idle && !loops_to_fill(document_, selection_).empty() &&
@@ -348,6 +348,7 @@ void MainWindow::update_actions() {
   a["wireframe"]->setChecked(look.edges == Edges::shown);
   a["seams"]->setChecked(look.seams == Seams::shown);
   a["tint"]->setChecked(look.tint == Tint::patches);
+  a["tint"]->setEnabled(scan && !colors_patches_alone(look.shading));
   holes_->small_holes().set_use(idle ? SmallHolesBox::Use::possible : SmallHolesBox::Use::busy);
 }
 

@@ -155,6 +155,7 @@ void MeshView::follow_document() {
   connect(&selection, &HoleSelection::selection_changed, this, [this] {
     if (legend_scan() != every_scan) update_colors();
     if (update_loops()) redraw();
+    update_marks();
   });
   connect(&selection, &HoleSelection::hover_changed, this, &MeshView::update_highlight);
 }
@@ -360,6 +361,7 @@ void MeshView::on_scans_changed() {
   impl_->seen_camera = 0;
   drop_probe();
   update_loops();
+  update_marks();
   const bool preview = std::exchange(impl_->preview_shown, false);
   const bool first_seen = !document.scans().empty() && std::exchange(impl_->fresh_scene, document.scans().empty()) &&
                           !preview && document.patches().empty();
@@ -395,6 +397,7 @@ void MeshView::on_patches_changed() {
   update_hidden_note();
   show_surfaces();
   if (is_colored(impl_->look.shading)) update_range();
+  update_marks();
   redraw_at_leisure();
 }
 
@@ -473,27 +476,6 @@ bool MeshView::update_loops() {
   }
   impl_->scene.set_loops(lines);
   return true;
-}
-
-void MeshView::update_highlight() {
-  const Document& document = impl_->document;
-  const int loop = impl_->selection.hovered();
-  if (loop < 0 || loop >= impl_->picker.count() || !impl_->shows(loop)) {
-    impl_->overlay->clear_highlight();
-    return;
-  }
-  impl_->follow_camera();
-  const double ratio = impl_->canvas->devicePixelRatioF();
-  QPolygonF line;
-  for (const LoopPicker::Pixel& p : impl_->picker.projected(loop))
-    if (p.z() >= 0) line << QPointF(p.x(), p.y()) / ratio;
-  const BoundaryLoop& l = document.loop(loop);
-  const QString kind = l.kind == LoopKind::hole ? tr("Hole") : labels::sentence(labels::kind(l.kind));
-  impl_->overlay->set_highlight(line,
-                                tr("%1 %2 \u00b7 %3 edges \u00b7 %4 across \u00b7 %5")
-                                    .arg(kind, labels::hole_name(document, loop))
-                                    .arg(l.edges())
-                                    .arg(labels::length(document, l.diameter), labels::verdict_or_state(document, loop)));
 }
 
 }  // namespace loopmend

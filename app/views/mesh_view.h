@@ -12,6 +12,7 @@
 #include "tools/view_tool.h"
 
 #include <QImage>
+#include <QPolygonF>
 #include <QWidget>
 
 #include <map>
@@ -30,6 +31,7 @@ struct PictureOptions {
   QSize size;  ///< device pixels, 64..8192 each
   enum class Ground { as_seen, transparent } ground = Ground::as_seen;
   enum class Extras { none, legend, legend_axes_scale } extras = Extras::legend_axes_scale;
+  int outlined = -1;  ///< loop whose boundary is drawn, and no other; −1: the boundaries as the view has them
 };
 
 class MeshView : public QWidget {
@@ -154,6 +156,8 @@ class MeshView : public QWidget {
   /// @returns whether they look otherwise now, and are to be drawn.
   bool update_loops();
   void update_highlight();
+  void update_marks();
+  QPolygonF line_on_screen(int loop) const;
   void update_palette();
   void hover(const QPoint& at);
   void ask_for_menu(const QPoint& at);

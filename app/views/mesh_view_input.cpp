@@ -372,6 +372,10 @@ QImage MeshView::picture(const PictureOptions& options) {
     impl_->scene.set_ground(MeshScene::Ground::transparent);
     window->SetAlphaBitPlanes(1);
   }
+  if (options.outlined >= 0) {
+    impl_->scene.set_loops({{line_of_loop(options.outlined), LoopStyle::filled}});
+    impl_->scene.set_seams(Seams::shown);
+  }
   impl_->scene.set_large_scans(MeshScene::LargeScans::whole);
   impl_->scene.arrive();
   renderer->ResetCameraClippingRange();
@@ -386,6 +390,11 @@ QImage MeshView::picture(const PictureOptions& options) {
     picture = QImage(pixels->GetPointer(0), options.size.width(), options.size.height(), QImage::Format_RGBA8888)
                   .mirrored()
                   .convertToFormat(see_through ? QImage::Format_ARGB32 : QImage::Format_RGB32);
+  if (options.outlined >= 0) {
+    impl_->scene.set_seams(impl_->look.seams);
+    impl_->loop_styles.clear();
+    update_loops();
+  }
   impl_->scene.set_ground(MeshScene::Ground::shown);
   window->SetSize(old.width(), old.height());
   impl_->scene.set_pixel_ratio(devicePixelRatioF());
@@ -425,6 +434,7 @@ void MeshView::after_render() {
   if (impl_->scene.is_rough()) redraw_at_rest();
   if (!moved) return;
   update_highlight();
+  update_marks();
   update_probe();
 }
 

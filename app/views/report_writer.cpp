@@ -20,14 +20,14 @@ namespace {
 /// Of a report with a thousand holes, those to look at first have a picture.
 constexpr std::size_t most_pictures = 200;
 
-/// The patch of the hole from above, as the view colours it.
+/// The patch of the hole from above, as the view colours it, with the hole's outline.
 QImage picture_of_hole(MeshView& view, int loop) {
   constexpr int supersampling = 2;  // the graphics do not smooth edges
   const QSize size(720, 480);
   const Viewpoint before = view.viewpoint();
   view.set_viewpoint(view.viewpoint_above(loop));
   const QImage picture =
-      view.picture({supersampling * size, PictureOptions::Ground::as_seen, PictureOptions::Extras::none});
+      view.picture({supersampling * size, PictureOptions::Ground::as_seen, PictureOptions::Extras::none, loop});
   view.set_viewpoint(before);
   return picture.isNull() ? picture : picture.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }

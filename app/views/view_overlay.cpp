@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -15,6 +16,8 @@ const std::array<QColor, 3> axis_colors{QColor(205, 62, 58), QColor(70, 150, 60)
 constexpr int axis_margin = 46;
 constexpr double axis_length = 28;
 constexpr double longest_scale_bar = 150;
+constexpr double mark_distance = 12;  ///< between a seam and the corners around it
+const QColor mark_shadow(20, 24, 30, 110), mark_color(255, 214, 40);
 
 /// The largest of 1, 2, 5 times a power of ten that is not above the length.
 double round_length(double length) {
@@ -71,6 +74,21 @@ QRegion ViewOverlay::around_highlight() const {
   return QRegion(loop).united(caption.adjusted(-smooth, -smooth, smooth, smooth));
 }
 
+void ViewOverlay::set_marks(const std::vector<Mark>& marks) {
+  if (marks == marks_) return;
+  const QRegion before = around_marks();
+  marks_ = marks;
+  update(before.united(around_marks()));
+}
+
+QRegion ViewOverlay::around_marks() const {
+  constexpr double pen = 4;
+  constexpr double out = mark_distance + pen;
+  QRegion around;
+  for (const Mark& mark : marks_) around += mark.box.adjusted(-out, -out, out, out).toAlignedRect();
+  return around;
+}
+
 void ViewOverlay::set_probe(const QPointF& at, const QStringList& lines) {
   probe_ = at;
   probe_lines_ = lines;
@@ -107,6 +125,7 @@ void ViewOverlay::hide_axes() {
 void ViewOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paint_frame(painter);
+  paint_marks(painter);
   if (!loop_.isEmpty()) paint_highlight(painter);
   if (!probe_lines_.isEmpty()) paint_probe(painter);
 }
@@ -167,8 +186,8 @@ void ViewOverlay::paint_highlight(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(loop_);
   };
-  stroke(QColor(20, 24, 30, 110), 9);
-  stroke(QColor(255, 214, 40), 6);
+  stroke(mark_shadow, 9);
+  stroke(mark_color, 6);
   stroke(QColor(255, 250, 220), 2);
   if (caption_.isEmpty()) return;
   const QRectF box = caption_box(QFontMetricsF(font()), loop_, caption_, size());
@@ -177,6 +196,24 @@ void ViewOverlay::paint_highlight(QPainter& painter) const {
   painter.drawRoundedRect(box, 5, 5);
   painter.setPen(QColor(245, 245, 242));
   painter.drawText(box, Qt::AlignCenter, caption_);
+}
+
+void ViewOverlay::paint_marks(QPainter& painter) const {
+  constexpr double share = 0.2, shortest = 6, longest = 24, faint = 0.45;
+  for (const Mark& mark : marks_) {
+    const QRectF box = mark.box.adjusted(-mark_distance, -mark_distance, mark_distance, mark_distance);
+    const double arm = std::clamp(share * std::min(box.width(), box.height()), shortest, longest);
+    painter.setOpacity(mark.side == Mark::Side::seen ? 1 : faint);
+    for (const auto& [color, width] : {std::pair{mark_shadow, 6.0}, std::pair{mark_color, 3.0}}) {
+      painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      for (const QPointF& corner : {box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()}) {
+        const QPointF inward(corner.x() < box.center().x() ? arm : -arm, corner.y() < box.center().y() ? arm : -arm);
+        painter.drawPolyline(
+            QPolygonF(QVector<QPointF>{corner + QPointF(inward.x(), 0), corner, corner + QPointF(0, inward.y())}));
+      }
+    }
+  }
+  painter.setOpacity(1);
 }
 
 void ViewOverlay::paint_axes(QPainter& painter) const {

@@ -96,6 +96,38 @@ class BridgeLoop {
   LoopFacing facing_;
 };
 
+/// What is known of the surface between the ends of a strip: two spheres, each through one end with its normal, that pass into each
+/// other. Both have the curvature by which the normal turns from end to end. On a sphere it is that sphere.
+class BetweenEnds {
+ public:
+  BetweenEnds(const Vec3& p, const Vec3& normal_p, const Vec3& q, const Vec3& normal_q)
+      : p_(p),
+        q_(q),
+        normal_p_(normal_p),
+        normal_q_(normal_q),
+        curvature_((normal_q - normal_p).dot(q - p) / std::max((q - p).squaredNorm(), 1e-300)) {}
+
+  /// Near x. @param share  of the way from p to q
+  Vec3 normal(const Vec3& x, double share) const {
+    const double of_q = weight(share);
+    return unit_or_zero((1 - of_q) * (normal_p_ + curvature_ * (x - p_)) + of_q * (normal_q_ + curvature_ * (x - q_)));
+  }
+  /// Where x comes to lie on the surface.
+  Vec3 laid(const Vec3& x, double share) const {
+    const double of_q = weight(share);
+    const double height = (1 - of_q) * (normal_p_.dot(x - p_) + curvature_ / 2 * (x - p_).squaredNorm()) +
+                          of_q * (normal_q_.dot(x - q_) + curvature_ / 2 * (x - q_).squaredNorm());
+    return x - height * normal(x, share);
+  }
+
+ private:
+  /// Of q: its slope is 0 at both ends, so that a curve that is tangent there stays so.
+  static double weight(double share) { return share * share * (3 - 2 * share); }
+
+  Vec3 p_, q_, normal_p_, normal_q_;
+  double curvature_;
+};
+
 bool lie_apart(const BridgeEnd& s, const BridgeEnd& t) {
   for (const int end : {s.before, s.at, s.after})
     if (end == t.before || end == t.at || end == t.after) return false;
@@ -136,12 +168,13 @@ BridgeStrip BridgeMaker::strip(int a, int b) const {
   BridgeStrip made;
   made.from = s.at;
   made.to = t.at;
-  const TangentCubic middle(at(s.at), s.onward, at(t.at), -t.onward);
+  const TangentCubic course(at(s.at), s.onward, at(t.at), -t.onward);
+  const BetweenEnds surface(at(s.at), s.normal, at(t.at), t.normal);
   // Towards the left rail, from the middle: at both ends, and of the strip between.
   const Vec3 left_of_s = at(s.before) - at(s.at), left_of_t = at(t.after) - at(t.at);
   const Vec3 right_of_s = at(s.after) - at(s.at), right_of_t = at(t.before) - at(t.at);
   const double width = narrowed * (left_of_s.norm() + left_of_t.norm() + right_of_s.norm() + right_of_t.norm()) / 4;
-  const int rows = std::clamp(static_cast<int>(std::lround(middle.length() / std::max(width, 1e-300))), 2, 10000);
+  const int rows = std::clamp(static_cast<int>(std::lround(course.length() / std::max(width, 1e-300))), 2, 10000);
   /// Between two points of the soup, at the share `share` from the first.
   const auto add = [&](const Vec3& p, int first, int second, double share) {
     made.points.push_back(p);
@@ -153,28 +186,26 @@ BridgeStrip BridgeMaker::strip(int a, int b) const {
     }
     return static_cast<int>(model_.soup.points.size() + made.points.size()) - 1;
   };
-  struct Row {
-    int left, middle, right;
-  };
-  std::vector<Row> rungs{{s.before, s.at, s.after}};
+  made.rows.push_back({s.before, s.at, s.after});
   for (int r = 1; r < rows; ++r) {
     const double share = static_cast<double>(r) / rows;
     // The boundary's own edges count in the first and the last row only.
     const double of_s = std::max(0.0, 1 - r / 2.0), of_t = std::max(0.0, 1 - (rows - r) / 2.0);
-    const Vec3 normal = (1 - share) * s.normal + share * t.normal;
-    const Vec3 side = (1 - of_s - of_t) * width * unit_or_zero(normal.cross(middle.derivative(share)));
-    const Vec3 p = middle.at(share);
-    rungs.push_back({add(p + side + of_s * left_of_s + of_t * left_of_t, s.before, t.after, share),
-                     add(p, s.at, t.at, share),
-                     add(p - side + of_s * right_of_s + of_t * right_of_t, s.after, t.before, share)});
+    const Vec3 p = surface.laid(course.at(share), share);
+    const Vec3 side =
+        (1 - of_s - of_t) * width * unit_or_zero(surface.normal(p, share).cross(course.derivative(share)));
+    made.rows.push_back({add(p + side + of_s * left_of_s + of_t * left_of_t, s.before, t.after, share),
+                         add(p, s.at, t.at, share),
+                         add(p - side + of_s * right_of_s + of_t * right_of_t, s.after, t.before, share)});
   }
-  rungs.push_back({t.after, t.at, t.before});
-  for (int r = 0; r < rows; ++r) {
-    const Row &row = rungs[static_cast<std::size_t>(r)], &next = rungs[static_cast<std::size_t>(r) + 1];
-    made.triangles.push_back({row.left, row.middle, next.middle});
-    made.triangles.push_back({row.left, next.middle, next.left});
-    made.triangles.push_back({row.middle, row.right, next.middle});
-    made.triangles.push_back({row.right, next.right, next.middle});
+  made.rows.push_back({t.after, t.at, t.before});
+  for (std::size_t r = 0; r + 1 < made.rows.size(); ++r) {
+    const auto [left, middle, right] = made.rows[r];
+    const auto [next_left, next_middle, next_right] = made.rows[r + 1];
+    made.triangles.push_back({left, middle, next_middle});
+    made.triangles.push_back({left, next_middle, next_left});
+    made.triangles.push_back({middle, right, next_middle});
+    made.triangles.push_back({right, next_right, next_middle});
   }
   return made;
 }

@@ -5,6 +5,7 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/surface_model.h"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -17,6 +18,8 @@ struct BridgeStrip {
   std::vector<Color> colors{};  ///< of its points; empty where the surface has none
   Triangles triangles{};        ///< soup points of the surface; its own are numbered after the last of these
   int from = 0, to = 0;         ///< soup points at which it begins and ends
+  /// From the first end to the second: left, middle and right soup point of each row across.
+  std::vector<std::array<int, 3>> rows{};
 };
 
 /// Makes strips on one surface. Each is two triangles wide and takes the boundary edges on both sides of both ends. Its middle is

@@ -73,6 +73,7 @@ class CompareTest : public QObject {
   void the_command_in_the_clipboard_does_the_same();
   void pictures_move_between_states_and_end_at_them();
   void the_winner_comes_into_the_document();
+  void what_a_fill_made_is_compared();
   void two_views_and_other_flows();
   void distances_between_flows_and_from_a_mesh();
   void stop_comes_back_at_once();
@@ -314,6 +315,30 @@ void CompareTest::the_winner_comes_into_the_document() {
   QCOMPARE(main.document().patches().size(), std::size_t(1));
   key(main, Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(main.document().patch_of(loop)->state == initial_patch);
+}
+
+/// In the last row of the table, and on one side of the line that wipes.
+void CompareTest::what_a_fill_made_is_compared() {
+  Shown main({ball_file(folder_)});
+  QVERIFY(press_and_wait(main, "fillAndSmooth"));
+  CompareWindow* window = main.comparisons().compare_holes({});
+  QVERIFY(QTest::qWaitForWindowExposed(window));
+  QVERIFY(run_all(*window));
+  auto* table = in<QTableWidget>(*window, "compareTable");
+  QCOMPARE(table->rowCount(), 6);
+  QCOMPARE(table->item(5, 0)->text(), QStringLiteral("As filled"));
+  const PatchStatePtr filled = main.document().patch_of(first_hole(main.document()))->state;
+  QCOMPARE(table->item(5, 2)->text(), QString::number(filled->steps));
+  QVERIFY(table->visualItemRect(table->item(5, 0)).bottom() < table->viewport()->height());
+  auto* right = in<QComboBox>(*window, "compareWipeRight");
+  in<QCheckBox>(*window, "compareWipe")->setChecked(true);
+  QCOMPARE(right->currentText(), QStringLiteral("MMCVF"));
+  const auto picture_with = [&](const char* words) {
+    right->setCurrentIndex(right->findText(QLatin1String(words)));
+    settle();
+    return window->wipe().picture({400, 300});
+  };
+  QVERIFY(share_changed(picture_with("Start"), picture_with("As filled")) > 0.01);
 }
 
 void CompareTest::two_views_and_other_flows() {

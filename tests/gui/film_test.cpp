@@ -108,6 +108,7 @@ class FilmTest : public QObject {
   void a_film_that_cannot_be_written_says_so();
   void the_command_line_writes_the_flow();
   void a_report_shows_each_patch();
+  void a_picture_of_the_report_has_the_outline_of_its_hole();
   void a_report_given_up_leaves_no_file();
 
  private:
@@ -340,6 +341,40 @@ void FilmTest::a_report_shows_each_patch() {
   const QByteArray bytes = pdf.readAll();
   QVERIFY(bytes.startsWith("%PDF-"));
   QVERIFY(bytes.count("/Subtype /Image") >= patched);
+}
+
+/// Also of the selected hole, whose seam has no line in the view, and where the view has none at all.
+void FilmTest::a_picture_of_the_report_has_the_outline_of_its_hole() {
+  Shown window({sample_file(folder_)});
+  const int loop = first_hole(window.document());
+  window.selection().select({loop});
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  trigger(window, "seams");
+  QVERIFY(fly(window, loop));
+  settle();
+  const QImage before = window.view().picture();
+  PictureOptions options{QSize(720, 480), PictureOptions::Ground::as_seen, PictureOptions::Extras::none};
+  const QImage bare = window.view().picture(options);
+  options.outlined = loop;
+  const QImage outlined = window.view().picture(options);
+  const double share = share_changed(bare, outlined);
+  QVERIFY2(share > 0.005 && share < 0.1, qPrintable(QString::number(share)));
+  QVERIFY(picture_returns(window, before));
+  QSignalSpy written(&window.report(), &ReportWriter::written);
+  window.report().write(path("outlined.html"));
+  QVERIFY(wait_until([&] { return written.count() == 1; }));
+  QFile file(path("outlined.html"));
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const QString data =
+      QString::fromUtf8(file.readAll()).section(QStringLiteral("base64,"), 1).section(QLatin1Char('"'), 0, 0);
+  const QImage shown = QImage::fromData(QByteArray::fromBase64(data.toLatin1())).convertToFormat(QImage::Format_RGB32);
+  const auto white = [](const QImage& image) {  // of the line's casing
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == QColor(Qt::white);
+    return count;
+  };
+  QVERIFY2(white(shown) > white(bare) + 100, qPrintable(QString::number(white(shown))));
 }
 
 void FilmTest::a_report_given_up_leaves_no_file() {

@@ -71,6 +71,7 @@ class KeepingTest : public QObject {
   void no_button_moves_under_the_mouse();
   void hints_fit_a_low_window_data();
   void hints_fit_a_low_window();
+  void the_table_has_the_room_that_is_there();
   void states_are_whole_with_every_column();
   void what_will_not_be_saved_is_told_on_opening();
 
@@ -423,6 +424,20 @@ void KeepingTest::hints_fit_a_low_window() {
     window.selection().select({loop});
     QVERIFY2(fits(), qPrintable(part<QLabel>(window, "holeVerdict")->text()));
   }
+}
+
+/// All of the sample's six loops before there is a verdict to read, and most of them after.
+void KeepingTest::the_table_has_the_room_that_is_there() {
+  Shown window({sample_file(folder_)}, Shown::Extent::usual);
+  window.resize(1360, 860);
+  const auto* table = part<QTableView>(window, "holesTable");
+  const auto rows = [&] {
+    settle();
+    return table->viewport()->height() / table->rowHeight(0);
+  };
+  QVERIFY2(rows() >= 6, qPrintable(QString::number(rows())));
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  QVERIFY2(rows() >= 4, qPrintable(QString::number(rows())));
 }
 
 void KeepingTest::states_are_whole_with_every_column() {

@@ -4,6 +4,8 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "document/fill_report.h"
+#include "document/labels.h"
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "views/tool_controller.h"
@@ -134,7 +136,12 @@ void PartsTest::a_part_of_a_hole_is_filled_by_two_clicks() {
   click_vertex(window, near(window, {0.3, -0.16, 0.94}));
   QVERIFY(wait_until([&] { return document.scans() == std::vector<int>{1}; }));
   QVERIFY(wait_idle(window));
-  QVERIFY(last_scan(window).model->soup.triangles.size() > before);  // the strip
+  const std::size_t strip = last_scan(window).model->soup.triangles.size() - before;
+  QVERIFY(strip > 0);
+  // The report counts it among what is new.
+  const QString page = html_of(fill_report(document), PictureLinks::named);
+  QVERIFY(page.contains(QStringLiteral("The scan has %1 triangles.").arg(labels::count(before))));
+  QVERIFY(page.contains(QStringLiteral("a part of the scan, have %1.").arg(labels::count(strip))));
   QCOMPARE(document.patches().size(), std::size_t(2));
   QCOMPARE(open_loops(window), 1);
   int smoothed = 0, kept = 0;
@@ -174,6 +181,7 @@ void PartsTest::the_part_that_is_lit_is_filled_with_a_smooth_edge() {
   QTest::mouseMove(window.view().canvas(), second);
   QVERIFY(wait_until([&] { return !tool.lit_points().empty(); }));
   std::vector<int> lit = tool.lit_points();
+  const std::vector<Vec3> drawn = tool.new_edge();
   const int own = static_cast<int>(document.scan(0)->model->soup.points.size());
   QTest::mouseClick(window.view().canvas(), Qt::LeftButton, {}, second);
   QVERIFY(wait_until([&] { return document.patches().size() == 1; }) && wait_idle(window));
@@ -193,6 +201,15 @@ void PartsTest::the_part_that_is_lit_is_filled_with_a_smooth_edge() {
   std::ranges::sort(lit);
   std::ranges::sort(filled);
   QVERIFY(filled == lit);
+  // The edge that is left is the one that was drawn, point by point.
+  QVERIFY(drawn.size() > 3);
+  int open = 0;
+  for (const BoundaryLoop& loop : last_scan(window).loops)
+    for (int v : loop.vertices)
+      open += std::ranges::count(drawn, model.soup.points[model.soup_vertex[v]]) > 0 &&
+              &loop != &last_scan(window).loops[static_cast<std::size_t>(
+                           document.patches().front().loops.front() - document.first_loop_of(document.scans().back()))];
+  QCOMPARE(open, static_cast<int>(drawn.size()));
   // The new edge continues the ball, 0.32 across: a straight one would lie 0.013 below it.
   QVERIFY(of_edge > 2);
   QVERIFY2(off < 0.002, qPrintable(QString::number(off)));  // 0.0012

@@ -18,6 +18,7 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include <cmath>
 #include <set>
@@ -85,6 +86,7 @@ class PlayerTest : public QObject {
   void a_session_keeps_the_states();
   void steps_are_those_of_the_scheme_with_the_time_step_shown();
   void run_shows_the_states_of_the_engine();
+  void what_a_fold_opens_comes_into_view();
 
  private:
   QTemporaryDir folder_;
@@ -337,6 +339,21 @@ void PlayerTest::run_shows_the_states_of_the_engine() {
   QVERIFY(states.size() > 2);
   Evolution evolution(states.front()->patch, EvolutionOptions());
   QCOMPARE(first_other_state(states, evolution), -1);
+}
+
+/// The flow's further controls lie below what the panel shows.
+void PlayerTest::what_a_fold_opens_comes_into_view() {
+  Shown window({sample_file(folder_)});
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  auto* fold = part<QToolButton>(window, "moreOfFlow");
+  fold->setChecked(false);
+  QVERIFY(settle());
+  const auto* steps = window.findChild<QPushButton*>(QStringLiteral("runSteps"));
+  QTest::mouseClick(fold, Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY(steps->isVisible());
+  QCOMPARE(steps->visibleRegion().boundingRect(), steps->rect());
+  QVERIFY(!fold->visibleRegion().isEmpty());  // to close it again
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<PlayerTest>(); }

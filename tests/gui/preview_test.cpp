@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Trim and Stitch show what they would change before they do it.
+// Prepare, Trim and Stitch show what they would change before they do it.
 #include "driver.h"
 #include "test_main.h"
 
@@ -97,6 +97,7 @@ class PreviewTest : public QObject {
   void a_trim_is_shown_and_done();
   void each_place_is_shown();
   void a_stitch_is_shown_and_done();
+  void preparing_is_shown_and_done();
   void tiles_that_overlap_are_joined();
   void other_work_takes_the_question_away();
 
@@ -184,6 +185,28 @@ void PreviewTest::a_stitch_is_shown_and_done() {
   QVERIFY(settle());
   const Document& document = window.document();
   QVERIFY(document.scan(document.scans().front())->loops.empty());
+}
+
+/// A ball with a hole, and a fin on one of its edges, by the button of the panel.
+void PreviewTest::preparing_is_shown_and_done() {
+  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
+  const Triangle t = soup.triangles[soup.triangles.size() / 2];
+  soup.points.push_back(1.5 * soup.points[t[0]]);
+  soup.triangles.push_back({t[0], t[1], static_cast<int>(soup.points.size()) - 1});
+  Shown window({scan_file(folder_, QStringLiteral("fin.ply"), soup)});
+  press(window, "prepare");
+  const QString words = proposed(window);
+  QVERIFY2(words.startsWith(QStringLiteral("fin.ply would be prepared: ")), qPrintable(words));
+  QVERIFY(red_pixels(window) > 20);
+  QCOMPARE(triangles_of(window), soup.triangles.size());
+  give(window, "proposalKeep");
+  QVERIFY(settle());
+  QVERIFY(!window.undo().can_undo());
+  press(window, "prepare");
+  QVERIFY(!proposed(window).isEmpty());
+  give(window, "proposalApply");
+  QVERIFY(wait_idle(window));
+  QVERIFY(triangles_of(window) < soup.triangles.size());
 }
 
 void PreviewTest::tiles_that_overlap_are_joined() {

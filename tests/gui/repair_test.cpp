@@ -307,7 +307,7 @@ void RepairTest::preparing_does_what_the_command_line_does_with_auto() {
   write_mesh(path.toStdString(), soup);
   Shown window({path});
   trigger(window, "prepareAction");
-  QVERIFY(wait_idle(window));
+  QVERIFY(apply_proposal(window));
   const OpenedScan& prepared = *window.document().scan(window.document().scans().front());
   const auto is_cut = [](const BoundaryLoop& loop) { return loop.kind == LoopKind::cut; };
   QVERIFY(std::none_of(prepared.loops.begin(), prepared.loops.end(), is_cut));

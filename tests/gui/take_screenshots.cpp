@@ -175,8 +175,26 @@ void shoot_window(MainWindow& main, QWidget* window, const char* name) {
   save(main.screen()->grabWindow(0, window->x(), window->y(), window->width(), window->height()), name);
 }
 
+void show_example(MainWindow& window, const TriangleSoup& soup, const QString& name) {
+  window.controller().open_made({made_scan(soup, name, scene_origin(soup))});
+  wait_idle(window);
+  linger(300);
+}
+
+/// A hole on the side of a bump, where H is not the same all round.
+TriangleSoup hole_beside_a_bump() {
+  const Vec3 middle = Vec3(0.3, -0.5, 0.8).normalized();
+  constexpr double radius = 0.3;
+  return trim_boundaries(cut(test::BumpyEllipsoid().mesh(6), [&](const Vec3& p) {
+    return ((test::BumpyEllipsoid::motion().inverse() * p).normalized() - middle).norm() < radius;
+  }));
+}
+
+/// On a smooth surface: on the sample, with its relief, H jumps at every seam by as much as the relief itself.
 void show_compare(MainWindow& window) {
+  show_example(window, hole_beside_a_bump(), QStringLiteral("bumps"));
   window.selection().select({first_hole(window.document())});
+  press_and_wait(window, "fillAndSmooth");
   trigger(window, "compare");
   auto* compare = window.findChild<CompareWindow*>(QStringLiteral("compareWindow"));
   if (!compare) return;
@@ -215,12 +233,6 @@ void show_tools(MainWindow& window) {
   for (const QPoint& at : {middle, middle + QPoint(120, 60)}) QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
   shoot(window, "distance");
   window.tools().take(Tool::none);
-}
-
-void show_example(MainWindow& window, const TriangleSoup& soup, const QString& name) {
-  window.controller().open_made({made_scan(soup, name, scene_origin(soup))});
-  wait_idle(window);
-  linger(300);
 }
 
 void show_points(MainWindow& window) {
@@ -393,8 +405,8 @@ int main(int argc, char** argv) {
     shoot(window, "welcome");
     window.open(QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
     wait_idle(window);
-    show_compare(window);
     show_tools(window);
+    show_compare(window);
     show_points(window);
     show_blend(window);
     show_bridge(window);
@@ -405,9 +417,9 @@ int main(int argc, char** argv) {
   }
   show_story(window, QFileInfo(QString::fromLocal8Bit(argv[1])).absoluteFilePath());
   show_looks(window);
-  show_compare(window);
   show_tools(window);
   show_the_rest(window);
+  show_compare(window);
   show_points(window);
   show_blend(window);
   show_bridge(window);

@@ -7,6 +7,7 @@
 #include "io/write_mesh.h"
 #include "samples/analytic_surfaces.h"
 #include "views/tool_controller.h"
+#include "views/view_overlay.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -84,6 +85,7 @@ class ViewTest : public QObject {
   void each_scan_may_have_its_own_range();
   void a_filled_hole_comes_into_view();
   void patches_may_have_a_tint();
+  void a_selected_patch_is_marked();
   void no_line_lies_over_the_seam_that_is_judged();
   void a_distance_is_measured();
   void a_plane_cuts_the_picture_open();
@@ -115,7 +117,7 @@ void ViewTest::a_filled_hole_comes_into_view() {
   QVERIFY(near(stayed.eye, above.eye) && near(stayed.focus, above.focus));
 }
 
-/// In every shading, and the scan around them stays as it is.
+/// Of the patch alone. A map of colours stays one that can be read: a hatching over curvature, nothing over likely errors.
 void ViewTest::patches_may_have_a_tint() {
   Shown window({file("ball.ply", cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; }))});
   window.view().look_from(NamedView::front);
@@ -128,9 +130,19 @@ void ViewTest::patches_may_have_a_tint() {
     key(window, Qt::Key_T, Qt::ShiftModifier);
     QVERIFY(picture_changes(window, before, 0.005));
     const QImage tinted = window.view().picture();
+    constexpr int reach = 20;  // within the patch
     const QPoint middle = before.rect().center(), beside(middle.x(), middle.y() + before.height() / 4);
-    const QColor was = before.pixelColor(middle), now = tinted.pixelColor(middle);
-    QVERIFY2(now.green() - now.red() > was.green() - was.red() + 20, qPrintable(was.name() + now.name()));
+    int greener = 0, same = 0, all = 0;
+    for (int y = middle.y() - reach; y < middle.y() + reach; ++y)
+      for (int x = middle.x() - reach; x < middle.x() + reach; ++x) {
+        const QColor was = before.pixelColor(x, y), now = tinted.pixelColor(x, y);
+        greener += now.green() - now.red() > was.green() - was.red() + 20;
+        same += was == now;
+        ++all;
+      }
+    const bool is_hatched = shading == Qt::Key_1;
+    const QByteArray counts = QByteArray::number(greener) + " " + QByteArray::number(same);
+    QVERIFY2(is_hatched ? 10 * greener > all && 10 * same > 7 * all : greener == all, counts.constData());
     QCOMPARE(tinted.pixelColor(beside), before.pixelColor(beside));
     key(window, Qt::Key_T, Qt::ShiftModifier);
     QVERIFY(picture_returns(window, before));
@@ -140,6 +152,53 @@ void ViewTest::patches_may_have_a_tint() {
   window.keep_layout();
   QVERIFY(load_look().tint == Tint::patches);
   save_look({});
+  const QAction* action = window.findChild<QAction*>(QStringLiteral("tint"));
+  QVERIFY(action->isEnabled());
+  key(window, Qt::Key_7);
+  settle();
+  const QImage with = window.view().picture();
+  QVERIFY(!action->isEnabled() && !part<QCheckBox>(window, "showTint")->isEnabled());
+  Look look = window.view().look();
+  look.tint = Tint::none;
+  window.view().set_look(look);
+  settle();
+  QCOMPARE(share_changed(with, window.view().picture()), 0.0);
+}
+
+/// Corners, which leave the seam clear; pale where the hole looks away.
+void ViewTest::a_selected_patch_is_marked() {
+  Shown window({file("marked.ply", cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; }))});
+  window.view().look_from(NamedView::front);
+  window.selection().select({0});
+  auto* overlay = window.findChild<ViewOverlay*>();
+  settle();
+  QVERIFY(overlay->marks().empty());  // an open hole has its line
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  settle();
+  using Side = ViewOverlay::Mark::Side;
+  QCOMPARE(overlay->marks().size(), std::size_t(1));
+  QVERIFY(overlay->marks().front().side == Side::seen);
+  const auto yellow = [&](const QRectF& within) {
+    QImage drawn(overlay->size(), QImage::Format_ARGB32);
+    drawn.fill(Qt::transparent);
+    overlay->render(&drawn);
+    int count = 0;
+    const QRect box = within.toAlignedRect() & drawn.rect();
+    for (int y = box.top(); y <= box.bottom(); ++y)
+      for (int x = box.left(); x <= box.right(); ++x) count += drawn.pixelColor(x, y) == QColor(255, 214, 40);
+    return count;
+  };
+  const QRectF seam = overlay->marks().front().box;
+  for (int vertex = 0; vertex < window.document().loop(0).edges(); ++vertex)
+    QVERIFY(seam.adjusted(-2, -2, 2, 2).contains(window.view().position_of(0, vertex)));
+  QVERIFY(yellow(overlay->rect()) > 60);
+  QCOMPARE(yellow(seam.adjusted(-6, -6, 6, 6)), 0);
+  window.view().look_from(NamedView::back);
+  settle();
+  QVERIFY(overlay->marks().front().side == Side::from_behind);
+  window.selection().select({});
+  QVERIFY(overlay->marks().empty());
+  QCOMPARE(yellow(overlay->rect()), 0);
 }
 
 /// Of an open hole that is selected the line stays, and goes when it is filled.

@@ -35,6 +35,23 @@ TEST(HandBridge, PartsAHoleIntoTwoThatCloseToASphere) {
   EXPECT_TRUE(find_boundary_loops(bridged).empty());
 }
 
+/// Also strips that turn on their way, from an end of an oblong hole to its side: on the cubic alone they would lie 0.031 off, with
+/// a ridge along them.
+TEST(HandBridge, StripsAcrossABallLieOnIt) {
+  const SurfaceModel model =
+      make_surface_model(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > 0.7 && std::abs(p.y()) < 0.25; }));
+  const BoundaryLoop hole = find_boundary_loops(model).at(0);
+  const std::size_t n = hole.vertices.size();
+  const BridgeMaker maker(model);
+  for (std::size_t from = 0; from < n; from += n / 8)
+    for (const std::size_t part : {2, 3, 4}) {
+      const std::size_t to = (from + n / part) % n;
+      const BridgeStrip strip =
+          maker.strip(model.soup_vertex[hole.vertices[from]], model.soup_vertex[hole.vertices[to]]);
+      for (const Vec3& p : strip.points) EXPECT_NEAR(p.norm(), 1, 0.013);
+    }
+}
+
 /// A boundary with teeth of two edges: five of six sides of the strips across it have good patches.
 TEST(HandBridge, TeethOfTheBoundaryDoNotTwistTheStrip) {
   std::mt19937 random(7);

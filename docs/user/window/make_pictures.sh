@@ -4,7 +4,8 @@
 # them light and dark, at once and twice the size.
 # Usage: docs/user/window/make_pictures.sh BUILD SCAN [FOLDER]
 #   BUILD   a build folder with bin/take_screenshots
-#   SCAN    the scan to show: the pages have the sample (`loopmend sample`), in likely_error.png ../shared/data/bunny.ply
+#   SCAN    the scan to show: the pages have the sample (`loopmend sample`), in likely_error.png ../shared/data/bunny.ply;
+#           compare, repair, edges and mirror have surfaces of their own
 #   FOLDER  where all pictures go; without it only those of the help pages are made
 set -euo pipefail
 
