@@ -339,10 +339,12 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
                                .with_code("boundary_crosses");
     const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
     const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.coincident) : 0;
-    if (closing > 0)
+    if (closing > 0) {  // the sides of a crack may cross each other: joining them cures that, too
+      const bool says_no_more = results[k].message.empty() || results[k].message.code == "boundary_crosses";
       results[k].message =
           joined(say("%1 of its edges lie beside another within a tenth of their length: --stitch joins them", closing),
-                 "; ", results[k].message.empty() ? Message() : say("without it, %1", results[k].message));
+                 "; ", says_no_more ? Message() : say("without it, %1", results[k].message));
+    }
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
       results[k].message = say("not finished in the time that --max-time allows: left open").with_code("out_of_time");
   }
