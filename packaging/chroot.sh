@@ -31,21 +31,35 @@ install_inside() {
   inside apt-get -q -q -y --no-install-recommends install "$@" >"$chroot/tmp/apt.log" 2>&1 || fail "$(tail -5 "$chroot/tmp/apt.log")"
 }
 
-# check_window PROGRAM PICTURE: it shows /work/filled.ply until it is stopped; the picture is kept (.xwd).
+# check_window PROGRAM PICTURE: it opens /work/filled.ply, and is stopped when it shows the surface; the picture is kept (.xwd).
 check_window() {
+  local status seen=no
+  rm -f "$chroot"/work/{looked,status}
   # The exit code of the window itself: xvfb-run has others, such as 5 where a slow machine keeps its folder busy.
-  inside sh -c "cd /work && timeout 90 xvfb-run -a -s '-screen 0 1280x800x24 -fbdir /work' sh -c \
-    '$1 filled.ply & sleep 15; cp Xvfb_screen0 window.xwd; kill \$!; wait \$!; echo \$? >status'" || true
-  local status
+  inside sh -c "cd /work && timeout 300 xvfb-run -a -s '-screen 0 1280x800x24 -fbdir /work' sh -c \
+    '$1 filled.ply & until [ -e looked ] || ! kill -0 \$!; do sleep 1; done; kill \$!; wait \$!; echo \$? >status'" &
+  python3 - "$chroot/work" "$2" <<'END_OF_LOOK' && seen=yes
+import pathlib, sys, time
+work, picture = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+colors = 0
+end = time.monotonic() + 240
+screen = work / "Xvfb_screen0"
+while time.monotonic() < end and not (work / "status").exists():
+    time.sleep(1)
+    if not screen.exists():
+        continue
+    data = screen.read_bytes()
+    begin = int.from_bytes(data[:4], "big") + 12 * int.from_bytes(data[76:80], "big")
+    colors = len({data[at:at + 4] for at in range(begin, len(data), 4)})
+    picture.write_bytes(data)
+    if colors > 15000:  # the page without a scan has 6000, a surface twice as many or more
+        break
+print(f"   its picture has {colors} colours")
+sys.exit(colors <= 15000)
+END_OF_LOOK
+  touch "$chroot/work/looked"
+  wait $! || true
   status=$(cat "$chroot/work/status" 2>/dev/null || echo none)
   [[ $status == 143 || $status == 130 ]] || fail "the window ended by itself, with exit code $status"
-  cp "$chroot/work/window.xwd" "$2"
-  python3 - "$2" <<'END_OF_COUNT' || fail "the window shows no surface: $2"
-import sys
-data = open(sys.argv[1], "rb").read()
-begin = int.from_bytes(data[:4], "big") + 12 * int.from_bytes(data[76:80], "big")
-pixels = {data[at:at + 4] for at in range(begin, len(data), 4)}
-print(f"   its picture has {len(pixels)} colours")
-sys.exit(len(pixels) < 1000)
-END_OF_COUNT
+  [[ $seen == yes ]] || fail "the window shows no surface: $2"
 }

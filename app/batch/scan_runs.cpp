@@ -183,7 +183,7 @@ class ScanRuns {
     fs::create_directories(picture.parent_path(), error);  // a failure shows when the picture is written
     running_.emplace_back(k, true, std::nullopt, job_.program,
                           std::vector<std::string>{"render", as_argument(scans_[k].input), as_argument(files(k).mesh),
-                                                   "-o", as_argument(picture), "--size", "1200x600"});
+                                                   "-o", as_argument(picture), "--seams", "--size", "1200x600"});
     return true;
   }
 

@@ -7,6 +7,7 @@
 #include "io/write_mesh.h"
 #include "pipeline/scan_job.h"
 #include "progress_line.h"
+#include "scene/shading.h"
 #include "usage_error.h"
 
 #include <filesystem>
@@ -62,6 +63,7 @@ struct RenderCommand {
   double sigma = 10;                            ///< of a film by steps
   double film_rate = 0, film_length = 0;        ///< of a film, as FilmPace
   std::string color = "auto";
+  Seams seams = Seams::hidden;
   int width = 0, height = 0;      ///< pixels; 0: the default
   std::string view;               ///< "front", ...; empty: towards the holes
   std::optional<Vec3> direction;  ///< from the middle towards the eye

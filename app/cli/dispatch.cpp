@@ -122,6 +122,11 @@ void add_render(CLI::App& app, RenderCommand& command) {
       ->check(CLI::IsMember({"auto", "scan", "h", "plain", "zebra"}))
       ->excludes(film)
       ->capture_default_str();
+  render
+      ->add_flag_callback(
+          "--seams", [&command] { command.seams = Seams::shown; },
+          "Of two meshes: draw lines around the patches of the second")
+      ->excludes(film);
   const auto take_size = [&command](const std::string& text) {
     int used = 0;
     if (std::sscanf(text.c_str(), "%dx%d%n", &command.width, &command.height, &used) != 2 ||

@@ -41,6 +41,7 @@ RenderOptions options_of(const RenderCommand& command) {
   if (!command.view.empty()) options.view = views.at(command.view);
   options.eye = command.direction;
   options.loop = command.loop;
+  options.seams = command.seams;
   options.pace = {command.film_rate, command.film_length};
   return options;
 }
@@ -51,6 +52,8 @@ int run_render(const RenderCommand& command) {
   if (command.output.empty() == command.film.empty())
     throw UsageError("render writes a picture with -o, or a film with --film: give one of them");
   if (!command.film.empty()) return run_film(command, options_of(command));
+  if (command.seams == Seams::shown && command.inputs.size() < 2)
+    throw UsageError("--seams needs two meshes: that with holes, and that with patches");
   CommandFiles files;
   for (const std::filesystem::path& input : command.inputs) files.reads("the input", input);
   files.writes(NamedFile::Kind::picture, "-o", command.output).check();

@@ -22,7 +22,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace loopmend {
 namespace {
@@ -67,6 +70,29 @@ std::vector<LoopLine> lines_of(const SurfaceModel& model, const std::vector<Boun
     lines.push_back(std::move(line));
   }
   return lines;
+}
+
+std::array<double, 3> place_of(const SurfaceModel& model, int vertex) {
+  const Vec3 p = model.mesh.point(model.mesh.vertex_handle(static_cast<unsigned>(vertex)));
+  return {p.x(), p.y(), p.z()};
+}
+
+/// Those loops of `before` whose vertices lie within the surface of `after`.
+std::vector<BoundaryLoop> filled_loops(const SurfaceModel& before, const SurfaceModel& after) {
+  std::set<std::array<double, 3>> missing, open;
+  std::vector<BoundaryLoop> loops = find_boundary_loops(before);
+  for (const BoundaryLoop& loop : loops)
+    for (int v : loop.vertices) missing.insert(place_of(before, v));
+  for (int v = 0; v < static_cast<int>(after.mesh.n_vertices()); ++v) missing.erase(place_of(after, v));
+  for (const BoundaryLoop& loop : find_boundary_loops(after))
+    for (int v : loop.vertices) open.insert(place_of(after, v));
+  std::erase_if(loops, [&](const BoundaryLoop& loop) {
+    return std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](int v) {
+      const std::array<double, 3> place = place_of(before, v);
+      return missing.count(place) > 0 || open.count(place) > 0;
+    });
+  });
+  return loops;
 }
 
 void fill_scene(SceneOfModel& picture, const SurfaceModel& model, const RenderOptions& options, const Vec3& origin) {
@@ -244,6 +270,12 @@ std::string render_before_after(const SurfaceModel& before, const SurfaceModel& 
     picture->scene.set_pixel_ratio(ratio);
     fill_scene(*picture, picture == &left ? before : after, options, origin);
     window->AddRenderer(picture->scene.renderer());
+  }
+  if (options.seams == Seams::shown) {
+    std::vector<LoopLine> lines = lines_of(before, filled_loops(before, after), origin);
+    for (LoopLine& line : lines) line.style = LoopStyle::filled;
+    for (LoopLine& line : lines_of(after, find_boundary_loops(after), origin)) lines.push_back(std::move(line));
+    right.scene.set_loops(lines);
   }
   const double range = options.h_range.value_or(symmetric_range(left.shape->H));
   for (SceneOfModel* picture : {&left, &right}) picture->scene.set_range(range);

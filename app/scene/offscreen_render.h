@@ -26,8 +26,9 @@ struct RenderOptions {
       h_range;  ///< colours over [−h_range, h_range], 1/length; empty: 98th percentile of the (first) surface
   std::optional<Vec3> eye;        ///< from the middle towards the eye, any length; empty: as `view` says
   std::optional<NamedView> view;  ///< empty: towards most of the holes, straight into `loop` where one is named
-  std::optional<int> loop;  ///< number of the boundary loop that fills the picture; empty: all of the surface does
-  FilmPace pace;            ///< of a film
+  std::optional<int> loop;      ///< number of the boundary loop that fills the picture; empty: all of the surface does
+  Seams seams = Seams::hidden;  ///< of two surfaces: lines around what the second has filled
+  FilmPace pace;                ///< of a film
 };
 
 /// One picture: surface, loops as lines, legend when coloured by H.

@@ -102,6 +102,21 @@ class RenderTest : public QObject {
     QVERIFY(count_colors(picture.copy(400, 0, 400, 400)) >= 64);
   }
 
+  void lines_go_around_what_the_second_has_filled() {
+    const std::vector<BoundaryLoop> loops = find_boundary_loops(model_);
+    TriangleSoup fan = model_.soup;
+    const int tip = static_cast<int>(fan.points.size());
+    fan.points.push_back(loops[1].center);
+    const std::vector<int>& around = loops[1].vertices;
+    for (std::size_t k = 0; k < around.size(); ++k)
+      fan.triangles.push_back({around[(k + 1) % around.size()], around[k], tip});
+    const SurfaceModel filled = make_surface_model(fan);
+    QCOMPARE(find_boundary_loops(filled).size(), loops.size() - 1);
+    QCOMPARE(dark_pixels(filled, Seams::hidden), 0);
+    QCOMPARE(dark_pixels(model_, Seams::shown), 0);
+    QVERIFY(dark_pixels(filled, Seams::shown) > 40);
+  }
+
   void one_loop_fills_the_picture_and_sides_are_chosen() {
     RenderOptions options;
     options.width = options.height = 200;
@@ -200,6 +215,20 @@ class RenderTest : public QObject {
   QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   void keep(const char* name, const std::string& bytes) const {
     std::ofstream(path(name).toStdString(), std::ios::binary) << bytes;
+  }
+
+  /// Of the second picture, below its caption.
+  int dark_pixels(const SurfaceModel& after, Seams seams) const {
+    RenderOptions options;
+    options.shading = Shading::plain;
+    options.width = 800;
+    options.height = 400;
+    options.seams = seams;
+    const QImage pair = QImage::fromData(QByteArray::fromStdString(render_before_after(model_, after, options)));
+    int dark = 0;
+    for (int y = 60; y < 400; ++y)
+      for (int x = 400; x < 800; ++x) dark += qGray(pair.pixel(x, y)) < 70;
+    return dark;
   }
 
   QTemporaryDir folder_;
