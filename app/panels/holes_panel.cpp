@@ -32,7 +32,7 @@
 namespace loopmend {
 namespace {
 
-constexpr int lowest = 102;  ///< of the table: the head and three rows
+constexpr int lowest = 76;  ///< of the table: the head and two rows
 
 /// Home and End go to the first and the last row, not along a row: with Shift they extend the selection until there.
 class RowsView : public QTableView {

@@ -49,7 +49,7 @@ QToolButton* make_fold(const char* name, const QString& title, QWidget* content)
     QTimer::singleShot(0, content, [button, content] {  // when it has its place
       for (QWidget* above = content->parentWidget(); above; above = above->parentWidget())
         if (auto* area = qobject_cast<QScrollArea*>(above))
-          for (QWidget* seen : {content, static_cast<QWidget*>(button)}) area->ensureWidgetVisible(seen, 0, 0);
+          for (QWidget* seen : {static_cast<QWidget*>(button), content}) area->ensureWidgetVisible(seen, 0, 0);
     });
   });
   return button;
