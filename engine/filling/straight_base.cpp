@@ -26,10 +26,10 @@ struct Wall {
   Triangles triangles;
 };
 
-/// Where the loop's vertices lie on the unrolled wall: how far along the outline from the first one, and how far below it.
+/// Where the loop's vertices lie on the unrolled wall: how far along the outline from the first one, and how far above the base.
 struct Unrolled {
   std::vector<double> along;  ///< one more than vertices: back at the first
-  std::vector<double> depth;
+  std::vector<double> height;
 };
 
 /// @param below  the vertices' projections onto the base's plane
@@ -39,7 +39,7 @@ Unrolled unroll(const Points& loop, const Points& below, const Vec3& down) {
   for (std::size_t k = 0; k < n; ++k) {
     const Vec3 direction = (below[(k + beside) % n] - below[(k + n - beside) % n]).normalized();
     result.along.push_back(result.along.back() + (below[(k + 1) % n] - below[k]).dot(direction));
-    result.depth.push_back((below[k] - loop[k]).dot(down));
+    result.height.push_back((below[k] - loop[k]).dot(down));
   }
   return result;
 }
@@ -65,7 +65,7 @@ Wall wall_to(const Points& loop, const Vec3& down, double height, double spacing
   Points flat;
   std::vector<int> point_of;
   for (int k = 0; k <= n; ++k) {
-    flat.emplace_back(unrolled.along[k], unrolled.depth[k % n], 0);
+    flat.emplace_back(unrolled.along[k], unrolled.height[k % n], 0);
     point_of.push_back(k % n);
   }
   for (int b = count; b >= 0; --b) {

@@ -6,7 +6,7 @@
 
 namespace loopmend {
 
-/// A patch that runs the wall straight on to a plane below its lowest tooth, half a boundary edge or 2 % of the loop's diameter, and
+/// A patch that runs the wall straight on to a plane below its lowest tooth, half a boundary edge or 2 % of the loop's diameter, whichever is less, and
 /// closes it there. The plane is that of the loop.
 /// @param options  density of the base
 /// @returns nothing where the loop encloses no area, where it overlaps itself seen from below, or when cancelled.

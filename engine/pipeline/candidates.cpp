@@ -280,6 +280,10 @@ PatchResult best_candidate(const Situation& s) {
     result.made_by = candidate.name;
     if (candidate.applies == is_cut) result.reason = reason_of_cut(s);
     if (tried.size() > 1) result.reason = why_not_the_first;
+    if (candidate.applies == is_on_sphere)
+      result.reason = say("all vertices around lie on one sphere, off which the flow ended: the missing part of the "
+                          "sphere was taken")
+                          .with_code("sphere");
     if (kept || best.made_by.empty() || faults(result.verdicts) < faults(best.verdicts)) best = std::move(result);
     if (kept) break;
   }

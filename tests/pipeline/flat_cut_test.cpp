@@ -292,7 +292,7 @@ TEST(FlatCut, ATornTubeStandsOnAPlaneBase) {
       }
 }
 
-/// A wave of the same height that takes many edges is no tooth, nor is noise of the boundary alone.
+/// A wave of the same height that takes many edges is no tooth.
 TEST(FlatCut, WavesAreNoTeeth) {
   for (const int waves : {3, 5}) {
     TriangleSoup tube = make_revolution([](double) { return 1.0; }, 0, 3, 90, 40);

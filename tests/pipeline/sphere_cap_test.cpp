@@ -21,6 +21,9 @@ double farthest(const TriangleSoup& open, const char* name) {
   for (const HoleResult& hole : fill_all_holes(model)) {
     EXPECT_NE(hole.verdict().grade, Grade::bad) << name << ": " << hole.verdict().message();
     EXPECT_EQ(hole.outcome().validity.intersections, 0) << name;
+    if (hole.method() == "sphere") {
+      EXPECT_EQ(hole.reason().code, "sphere");
+    }
   }
   EXPECT_TRUE(find_boundary_loops(make_surface_model(model.soup)).empty()) << name;
   double largest = 0;
