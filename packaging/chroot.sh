@@ -16,8 +16,8 @@ make_chroot() {
   local mirror
   mirror=$(sed -nE 's/^(deb |URIs: )(\[[^]]*\] )?(http[^ ]*).*/\3/p' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null | head -1 || true)
   chroot=$(mktemp -d)
-  # --one-file-system: what is still mounted stays whole.
-  trap 'umount "$chroot"/{proc,ccache} 2>/dev/null || true; rm -rf --one-file-system "$chroot"' EXIT
+  # --lazy: a process that still runs inside holds no mount, through which rm would delete the compiler's cache.
+  trap 'umount --lazy "$chroot"/{proc,ccache} 2>/dev/null || true; rm -rf --one-file-system "$chroot"' EXIT
   mmdebstrap --variant=apt --mode=root --quiet "${@:2}" "$1" "$chroot" "${mirror:-http://deb.debian.org/debian}"
   chmod 755 "$chroot"
   mount -t proc proc "$chroot/proc" 2>/dev/null || true
