@@ -53,7 +53,7 @@ constexpr double long_edge = 0.8;
 /// A dome is missing where one quadric goes on behind the loop: of 21 balls, ellipsoids and parts of them, with noise of up to 0.4 %
 /// of their radius, it is off by 0 to 0.0025 diameters, of eleven standing figures and wavy bases that bend like a ball at their
 /// base alone by 0.006 to 0.046.
-constexpr double reach_of_quadric = 1.5, off_quadric = 0.005, noises_off_quadric = 1.5;
+constexpr double reach_of_quadric = 1.5, off_quadric = 0.005, noises_off_quadric = 1.2;
 /// In diameters: a surface so near to a quadric goes on with it where that closes so far over the loop. Chosen on ellipsoids and eggs
 /// (0 to 0.0005; 0.14 to 0.39) and a barrel (0.53), which ends.
 constexpr double on_quadric = 0.001, lowest_dome = 0.1, highest_dome = 0.45;
@@ -226,7 +226,7 @@ class Profiles {
 
   /// @param noise  of the vertices, rms, mesh units
   bool is_near(const SideSurface& surface, double noise) const {
-    return surface.rms() <= 2 * off_quadric * facing_.radius + noises_off_quadric * noise;
+    return surface.rms() <= std::hypot(2 * off_quadric * facing_.radius, noises_off_quadric * noise);
   }
   bool is_closed_by(const SideSurface& surface) const {
     const double diameter = 2 * facing_.radius;
@@ -457,8 +457,10 @@ LoopEnd end_of(const BoundaryLoop& loop, const LoopFacing& facing, const Profile
   if (loop.planarity <= exact_planarity && rounds_into_plane(usual, shares)) return LoopEnd::flat;
   if (usual < steep || quantile(wall.steepness, torn_share) < still_steep) return LoopEnd::runs_on;
   const bool dome = is_dome(shares);
+  const bool turns_like_a_ball = share_of_a_ball >= least_of_a_dome && share_of_a_ball <= most_of_a_dome;
   const std::optional<SideSurface> quadric = dome || !straight ? profiles.quadric() : std::nullopt;
-  if (quadric && (dome ? profiles.is_near(*quadric, median(wall.noise)) : profiles.is_closed_by(*quadric)))
+  if (quadric && (dome || (!known && turns_like_a_ball) ? profiles.is_near(*quadric, median(wall.noise))
+                                                        : profiles.is_closed_by(*quadric)))
     return LoopEnd::runs_on;
   const bool is_hole_in_a_hill =
       loop.kind != LoopKind::outer_rim && loop.planarity > plane_cut && usual < steep_if_not_plane;

@@ -54,11 +54,14 @@ Triangles triangulation_by_cgal(const Boundary& boundary) {
   for (const Vec3& p : boundary.points) mesh.add_vertex({p.x(), p.y(), p.z()});
   for (const Triangle& t : boundary.collar) mesh.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
   std::vector<Mesh::Face_index> faces;
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // CGAL 6 has another signature, which CGAL 5 has not
   CGAL::Polygon_mesh_processing::triangulate_hole(
       mesh, mesh.halfedge(vertex(boundary.loop[0]), vertex(boundary.loop[1])), std::back_inserter(faces),
       CGAL::parameters::use_2d_constrained_delaunay_triangulation(false)
           .use_delaunay_triangulation(true)
           .do_not_use_cubic_algorithm(true));
+#pragma GCC diagnostic pop
   Triangles triangles;
   for (Mesh::Face_index f : faces) {
     Triangle& t = triangles.emplace_back();

@@ -126,6 +126,31 @@ TEST(FlatCut, IsDoubtfulWhereTheWallBendsLikeADomeOnNoQuadric) {
   EXPECT_EQ(verdict.findings[0].code, NoticeCode::flat_or_dome);
 }
 
+/// A wall that curves in at its end, with noise of more than a percent of its radius, is on a quadric up to that noise and no further.
+TEST(FlatCut, ANoisyFigureThatCurvesInAtItsBaseEnds) {
+  for (const double bends : {2.5, 3.0, 3.5})
+    for (const unsigned seed : {1, 2, 3}) {
+      const auto radius = [&](double z) { return 1 + 0.25 * std::cos(bends * z) + 0.15 * z; };
+      TriangleSoup bust = make_revolution(radius, -2, 0, 60, 30);
+      Random random(seed);
+      for (Vec3& p : bust.points) p += 0.009 * Vec3(random.bell(), random.bell(), random.bell());
+      const SurfaceModel model = make_surface_model(bust);
+      EXPECT_EQ(loop_end(model, upper(model)), LoopEnd::flat_or_dome) << bends << ' ' << seed;
+    }
+}
+
+/// Where triangles are too few for profiles, the turning of the normals decides.
+TEST(FlatCut, IsNotWhatIsMissingOfANoisyBallOfFewTriangles) {
+  for (const double noise : {0.001, 0.003})
+    for (const double top : {-0.2, 0.1, 0.4}) {
+      TriangleSoup ball = make_revolution([](double z) { return std::sqrt(1 - z * z); }, -0.95, top, 12, 4);
+      Random random(7);
+      for (Vec3& p : ball.points) p += noise * Vec3(random.bell(), random.bell(), random.bell());
+      const SurfaceModel model = make_surface_model(ball);
+      EXPECT_EQ(loop_end(model, upper(model)), LoopEnd::runs_on) << noise << ' ' << top;
+    }
+}
+
 TEST(FlatCut, IsNotWhatIsMissingOfABallOrInAPlane) {
   for (double top : {-0.2, 0.3, 0.7}) {
     const SurfaceModel ball =
