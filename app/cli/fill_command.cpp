@@ -345,6 +345,10 @@ int run_fill(const FillCommand& command) {
     print_losses(out, command.output, losses);
     print_beside(out, written);
     print_import_losses(out, opened.report);
+    if (const std::size_t degenerate = scan.model.repairs.degenerate_faces; degenerate > 0)
+      std::fprintf(
+          out, "%s; fill --repair removes such faces.\n",
+          counted(degenerate, "face has a vertex twice and stays", "faces have a vertex twice and stay").c_str());
     if (!scan.coincident.closing.empty()) print_coincident(out, opened.report, scan.loops);
     if (outcome.open_cuts > 0 && !outcome.in_vain() && command.job.prepare.extent == PrepareOptions::Extent::as_asked)
       std::fprintf(

@@ -153,7 +153,7 @@ void print_losses(std::FILE* out, const std::filesystem::path& output, const Out
 }
 
 void print_import_losses(std::FILE* out, const ImportReport& import) {
-  if (!import.oddities.empty()) std::fprintf(out, "Read all the same: %s.\n", to_string(import.oddities).c_str());
+  if (!import.oddities.empty()) std::fprintf(out, "Read in spite of: %s.\n", to_string(import.oddities).c_str());
   if (import.missing_colors > 0)
     std::fprintf(out, "%zu vertices have no colour in a file with colours: they became white.\n",
                  import.missing_colors);

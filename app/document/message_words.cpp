@@ -54,6 +54,8 @@ const Substitute substitutes[] = {
          "Message",
          "removing loose fragments in its way (Repair\u2026 in the tab Patch), Trim there or a strip across "
          "the hole (Bridge in the tab Tools) may help")},
+    {"a base (--base) closes it below the surface",
+     QT_TRANSLATE_NOOP("Message", "a base closes it below the surface (loopmend fill --base)")},
     {"remove what crosses (--trim-crossing)",
      QT_TRANSLATE_NOOP("Message", "Trim crossing triangles in the menu Patch may help")},
     {"'loopmend blend --loops 1:%1,1:%2' may join the two by one surface",

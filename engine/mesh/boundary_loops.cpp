@@ -33,6 +33,8 @@ constexpr double outer_rim_turning = 0.6, least_extent_of_a_turn = 0.2;
 /// So does a boundary that runs round its whole piece where that is shallow and does not run on straight, as a tray's walls do: a
 /// mask, or a ragged scan seen from one side, however its boundary turns.
 constexpr double whole_extent = 0.84, sheet_depth = 0.475, straight_on = 0.9;
+/// The two ends of a short tube, which turn to neither side, bound no sheet, however noise tilts their faces.
+constexpr double turning_of_a_tube = 0.3;
 /// A plane boundary behind which the surface reaches far is where something was cut, as a bell or a base with torn triangles at its
 /// boundary, however it turns. Of the loops of 60 shared scans and cases one is plane, turns and has an extent below 0.84.
 constexpr double plane_cut = 0.01;
@@ -205,8 +207,8 @@ bool turns_like_a_sheet(const BoundaryLoop& loop) {
 bool runs_round_a_sheet(const BoundaryLoop& loop) {
   const bool is_slot = loop.turning < 0 && loop.width < widest_slot * loop.diameter;
   const double across = is_slot ? loop.width : loop.diameter;
-  return !loop.on_sphere && loop.extent > whole_extent && loop.depth * loop.diameter < sheet_depth * across &&
-         loop.onward < straight_on;
+  return !loop.on_sphere && !loop.ends_tube && loop.extent > whole_extent &&
+         loop.depth * loop.diameter < sheet_depth * across && loop.onward < straight_on;
 }
 
 /// The sphere ‖p‖² = 2⟨c, p⟩ + d nearest to some points, by least squares of this equation.
@@ -233,7 +235,7 @@ class SphereSums {
   int count_ = 0;
 };
 
-/// Fills onward, extent, depth and on_sphere. The last two are measured only where they may matter.
+/// Fills onward, extent, ends_tube, depth and on_sphere. The last two are measured only where they may matter.
 void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std::vector<BoundaryLoop>& loops) {
   std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>>
       at_piece;  // loops whose depth is asked for, and their axes
@@ -246,6 +248,11 @@ void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std:
     loop.extent = box.diagonal().norm() / pieces.box(piece).diagonal().norm();
     if (loop.extent > whole_extent && loop.turning < 0) loop.width = std::min(loop.width, between_sides(model, loop));
     if (loop.extent > whole_extent && loop.diameter > 0) at_piece[piece].emplace_back(&loop, facing.axis);
+  }
+  for (const auto& [piece, asked] : at_piece) {
+    const auto ends = [](const auto& entry) { return std::abs(entry.first->turning) < turning_of_a_tube; };
+    if (std::ranges::count_if(asked, ends) < 2) continue;
+    for (const auto& entry : asked) entry.first->ends_tube = ends(entry);
   }
   if (at_piece.empty()) return;
   std::map<const BoundaryLoop*, SphereSums> spheres;

@@ -38,6 +38,7 @@ struct BoundaryLoop {
   double extent = 0;           ///< diagonal of the loop's box divided by that of its piece of surface
   double depth =
       0;  ///< reach of its piece from the loop's plane, in diameters; 0 where the extent rules an outline out
+  bool ends_tube = false;  ///< it runs round its whole piece, as does another loop of it, and neither turns to a side
   bool on_sphere = false;  ///< its piece is a part of an exact sphere, deeper than a lens or a dish
   double onward = 0;       ///< how straight the surface runs on beyond the loop: 1 at the end of a tube, 0 in a plane
   int coincident = 0;      ///< edges that lie exactly on another boundary edge, of this loop or another

@@ -30,12 +30,13 @@ std::vector<int> free_vertices_per_loop(const Patch& patch) {
 
 Message why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int intersections) {
   if (Message why = why_no_patch_exists(scan, loop); !why.empty()) return why;
+  const bool is_outline = loop.kind == LoopKind::outer_rim;
   return joined(
              say("every patch that was found would cut the surface or itself, in %1 places: left open", intersections),
              "; ",
-             say("removing loose fragments in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip "
-                 "across the hole "
-                 "(--bridge) may help"))
+             is_outline ? say("a base (--base) closes it below the surface")
+                        : say("removing loose fragments in its way (--repair), trimming the boundary (--trim-boundary "
+                              "3) or a strip across the hole (--bridge) may help"))
       .with_code("every_patch_crosses");
 }
 

@@ -424,6 +424,24 @@ TEST_F(PreparationCommands, ABaseIsBuiltUnderTheLargestLoop) {
   }
 }
 
+/// A cap in the plane of the outline would cut the waves.
+TEST_F(PreparationCommands, ABaseIsNamedWhereNoPatchOfAnOutlineIsClear) {
+  write("a.ply", make_graph([](double x, double y) { return 0.1 * std::sin(9 * x) * std::cos(8 * y); }, 0.5, 24));
+  const Outcome run = fill("a.ply", "--include-outer-rim");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.out, HasSubstr("a base (--base) closes it below the surface"));
+  EXPECT_EQ(fill("a.ply", "--base 0.3").code, 0);
+  EXPECT_EQ(written().open_edges, 0U);
+}
+
+TEST_F(PreparationCommands, FacesWithAVertexTwiceAreNamedWithWhatRemovesThem) {
+  TriangleSoup ball = make_icosphere(2);
+  ball.triangles.push_back({3, 3, 7});
+  write("a.stl", ball);
+  EXPECT_THAT(fill("a.stl").out, HasSubstr("1 face has a vertex twice and stays; fill --repair removes such faces"));
+  EXPECT_THAT(fill("a.stl", "--repair").out, Not(HasSubstr("a vertex twice")));
+}
+
 TEST_F(PreparationCommands, ClosedBodiesThatOverlapStayClosed) {
   TriangleSoup moved = make_icosphere(3);
   for (Vec3& p : moved.points) p += Vec3(1, 0.1, 0.2);
@@ -477,7 +495,8 @@ TEST_F(PreparationCommands, TilesThatAbutOrOverlapAreNamedInOneSentence) {
   EXPECT_THAT(fill("tiles.ply", "--stitch").out, Not(HasSubstr("tiles")));
   EXPECT_EQ(open_edges_written(), 6 * 20);
   two_tiles(1.3);
-  EXPECT_THAT(fill("tiles.ply").out, HasSubstr("2 boundaries run over another part of the surface: tiles that overlap"));
+  EXPECT_THAT(fill("tiles.ply").out,
+              HasSubstr("2 boundaries run over another part of the surface: tiles that overlap"));
   EXPECT_THAT(info("tiles.ply").out, HasSubstr("tiles that overlap"));
 }
 
