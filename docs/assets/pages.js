@@ -8,8 +8,8 @@ document.addEventListener("DOMContentLoaded", () => {
     ],
   });
   // A short option such as --stitch 0.5 goes to the next line as a whole; of a longer one, or in a table, at least --stitch.
-  for (const code of document.querySelectorAll("p > code, li > code, td > code")) {
-    if (code.textContent.length <= (code.parentElement.tagName === "TD" ? 14 : 24)) code.classList.add("whole");
+  for (const code of document.querySelectorAll("p > code, li > code, td > code, th > code")) {
+    if (code.textContent.length <= (code.closest("table") ? 14 : 24)) code.classList.add("whole");
     else code.innerHTML = code.innerHTML.replace(/--\w+/g, '<span class="whole">$&</span>');
   }
 });
