@@ -12,4 +12,11 @@ document.addEventListener("DOMContentLoaded", () => {
     if (code.textContent.length <= (code.closest("table") ? 14 : 24)) code.classList.add("whole");
     else code.innerHTML = code.innerHTML.replace(/--\w+/g, '<span class="whole">$&</span>');
   }
+  // A telephone shows a whole window too small to read: each picture leads to itself alone.
+  for (const picture of document.querySelectorAll(".md-content img")) {
+    const link = document.createElement("a");
+    link.href = picture.src;
+    picture.replaceWith(link);
+    link.append(picture);
+  }
 });
