@@ -61,15 +61,15 @@ def _figure(value: Optional[float]) -> str:
 
 
 def _row(hole: HoleResult) -> List[str]:
-    return [str(hole.number), hole.kind, str(hole.edges), _figure(hole.diameter), hole.status,
-            "" if hole.verdict is None else hole.verdict.grade,
+    return [str(hole.number), hole.kind, str(hole.edges), _figure(hole.diameter),
+            hole.status if hole.verdict is None else hole.verdict.grade,
             "" if hole.expected_deviation is None else _figure(hole.expected_deviation.likely),
             "; ".join(text for text in ("" if hole.verdict is None else hole.verdict.sentence, hole.message) if text)]
 
 
 def html_of(result: FillResult) -> str:
     """A table of the holes beside a picture."""
-    head = ["loop", "kind", "edges", "diameter", "status", "verdict", "likely off", "remark"]
+    head = ["loop", "kind", "edges", "diameter", "verdict", "likely off", "remark"]
     rows = "".join("<tr>" + "".join(f"<td style='text-align:left'>{html.escape(cell)}</td>" for cell in _row(hole)) + "</tr>"
                    for hole in result.holes[:_MOST_ROWS])
     if len(result.holes) > _MOST_ROWS:

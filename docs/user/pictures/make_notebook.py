@@ -21,7 +21,7 @@ def main():
         page = Path(folder) / "page.html"
         page.write_text(f"<!doctype html><meta charset='utf-8'><style>{STYLE}</style>{loopmend.fill(loopmend.sample())._repr_html_()}",
                         encoding="utf-8")
-        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=640,740",
+        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=640,690",
                         f"--user-data-dir={folder}/settings", f"--screenshot={target}", page.as_uri()], check=True, stderr=subprocess.DEVNULL)
 
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of docs/user/holes_and_options.md: kinds of loops, density, continuity.
+"""The pictures of docs/user/holes_and_options.md: kinds of loops, density, continuity; and of docs/user/first_hole.md: numbers of loops.
 
-Usage: make_options.py PROGRAM FOLDER   writes option_kinds.png, option_density.png and option_continuity.png into FOLDER
+Usage: make_options.py PROGRAM FOLDER [NAME...]   writes option_kinds.png, option_density.png, option_continuity.png and
+                                                  first_hole_numbers.png into FOLDER, or only those of these names (such as kinds)
 
 The models are formulas of make_cases.py. Needs NumPy, PyVista and Pillow, and xvfb-run where there is no display.
 """
@@ -29,8 +30,10 @@ def surface(path):
     return pyvista.read(path)
 
 
-def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 320), given=None):
-    """@param given  number of faces of the scan, where those behind them, the patch, get a color of their own"""
+def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 320), given=None, labels=None):
+    """@param given   number of faces of the scan, where those behind them, the patch, get a color of their own
+    @param labels  places, and what is written there
+    """
     plotter = pyvista.Plotter(off_screen=True, window_size=(2 * size[0], 2 * size[1]))
     plotter.set_background("white")
     look = {"ambient": 0.25, "specular": 0.1, "smooth_shading": not edges, "show_edges": edges, "edge_color": "#57534e", "line_width": 2}
@@ -46,6 +49,9 @@ def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 
     middle = np.array(mesh.bounds).reshape(3, 2).mean(axis=1)
     plotter.camera_position = [middle + 2.4 * np.linalg.norm(extent) * np.array(view) / np.linalg.norm(view), middle, up]
     plotter.camera.zoom(zoom)
+    if labels is not None:
+        plotter.add_point_labels(*labels, shape=None, show_points=False, always_visible=True, font_size=44, bold=True, text_color="#222222",
+                                 justification_horizontal="center", justification_vertical="center")
     plotter.enable_anti_aliasing("ssaa")
     image = Image.fromarray(plotter.screenshot(return_img=True)).resize(size, Image.LANCZOS)
     plotter.close()
@@ -111,6 +117,20 @@ def kinds(program, folder, work):
     sheet(images, [text for text, *_ in shown], Path(folder) / "option_kinds.png", 2)
 
 
+def numbers(program, folder, work):
+    """The sample with the number of each loop."""
+    subprocess.run([program, "sample", "-o", work / "sample.ply"], check=True, stdout=subprocess.DEVNULL)
+    found = json.loads(subprocess.run([program, "info", work / "sample.ply", "--json", "-"], check=True, capture_output=True, text=True).stdout)
+    mesh = surface(work / "sample.ply")
+    loops = [(loop["kind"], mesh.points[loop["vertices"]]) for loop in found["loops"]]
+    # The outline has its number at its right side, a hole above it.
+    places = [(points[:, 0].max() + 7, 0, 0) if kind == "outer rim" else (points[:, 0].mean(), points[:, 1].max() + 5, points[:, 2].max())
+              for kind, points in loops]
+    labels = [str(loop["number"]) for loop in found["loops"]]
+    panel(mesh, (0, 0, 1), loops, zoom=1.55, size=(420, 400), labels=(np.array(places), labels)).quantize(128).save(
+        Path(folder) / "first_hole_numbers.png", optimize=True)
+
+
 def density(program, folder, work):
     images, texts = [], []
     make_cases.write_ply(work / "pebble.ply", *make_cases.tidy(make_cases.cut(
@@ -137,11 +157,13 @@ def continuity(program, folder, work):
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         raise SystemExit(__doc__)
-    with tempfile.TemporaryDirectory() as name:
-        for make in (kinds, density, continuity):
-            make(*sys.argv[1:], Path(name))
+    program, folder, *names = sys.argv[1:]
+    with tempfile.TemporaryDirectory() as work:
+        for make in (kinds, density, continuity, numbers):
+            if not names or make.__name__ in names:
+                make(program, folder, Path(work))
 
 
 if __name__ == "__main__":
