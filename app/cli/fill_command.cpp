@@ -77,11 +77,12 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
                  "into the other, then use --union again.\n",
                  counted(counts.united.touching, "pair of bodies touches", "pairs of bodies touch").c_str());
   if (counts.united.refused > 0)
-    std::fprintf(out,
-                 "%s left as they are: they touch themselves, have faces without area, or no manifold is around both. "
-                 "Move or part them, then use --union again.\n",
-                 counted(counts.united.refused, "pair of bodies overlaps; both are", "pairs of bodies overlap; all are")
-                     .c_str());
+    std::fprintf(
+        out,
+        "%s left as they are: they touch themselves, or each other within rounding, have faces without area, or no "
+        "manifold is around both. Move or part them, then use --union again.\n",
+        counted(counts.united.refused, "pair of bodies overlaps; both are", "pairs of bodies overlap; all are")
+            .c_str());
   if (counts.united.crossing_parts > 0)
     std::fprintf(
         out, "%s by the rounding of their corners; the body is closed.\n",

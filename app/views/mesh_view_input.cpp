@@ -448,6 +448,7 @@ void MeshView::resizeEvent(QResizeEvent* event) {
   const QSize size = this->size() * devicePixelRatioF();
   impl_->scene.set_pixel_ratio(devicePixelRatioF());
   impl_->scene.set_size(size.width(), size.height());
+  impl_->seen_camera = 0;  // what lies over the picture moves with it
   redraw();  // the canvas was drawn at its new size before the legend knew of it
   if (impl_->document.has_scan()) frame_if_untouched();
 }

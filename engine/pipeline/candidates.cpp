@@ -328,6 +328,17 @@ void expect_deviation(const EvolutionOptions& options, const CancelToken& cancel
   judge_deviation(result.patch, result.deviation, result.verdicts);
 }
 
+namespace {
+
+/// With the surface around it.
+bool lies_on_sphere(const PatchProblem& problem, const PatchResult& result) {
+  if (problem.loops.size() != 1) return false;
+  const std::optional<Sphere> sphere = sphere_around(problem.initial);
+  return sphere && distance_from(*sphere, result.patch) <= off_sphere;
+}
+
+}  // namespace
+
 PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                         const CancelToken& cancel) {
   if (problem.initial.free_count == 0) {
@@ -397,6 +408,9 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
   if (Message missing = why_no_edges(situation, edits); !missing.empty() && result.method != Method::sharp_edges)
     result.reason = joined(std::move(missing), "; ", std::move(result.reason));
   judge_edges(situation, edits, result);
+  if (!is_judged(options) && !result.verdicts.empty() && worst(result.verdicts) == Grade::bad &&
+      lies_on_sphere(problem, result))
+    result.verdicts = judge.expecting_known_surface()(result.patch, result.validity, result.seams);
   if (cancel.cancelled()) result.status = PatchStatus::cancelled;
   return result;
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr int fewest_edges = 4;
 constexpr double exact_planarity = 0.003;
 constexpr double most_planarity = 0.1;  ///< above, the loop's plane says nothing about the wall, but its rulings may:
-constexpr double most_planarity_of_a_tube = 0.25, along_rulings = 0.65;
+constexpr double most_planarity_of_a_tube = 0.35, along_rulings = 0.4;
 constexpr double most_taper = 0.25;
 constexpr int fewest_round_a_tube = 8;
 constexpr double steep = 0.5;         ///< sine of the angle between surface and plane, median along the loop

@@ -23,7 +23,7 @@ enum class LoopEnd {
 /// one quadric that goes on behind (if it bends so on no quadric, it is `flat_or_dome`), nor does it lie on a quadric,
 /// almost exactly, that closes over the loop. A wall that flares ends at a plane loop, however little it leans. At a hole whose loop
 /// is not quite plane the wall has to be steeper. An upright wall that does not turn ends whatever its corners. A straight
-/// wall whose rulings all leave through a loop that is not nearly plane, of planarity up to 0.25, is `curved`, as the
+/// wall whose rulings all leave through a loop that is not nearly plane, of planarity up to 0.35, is `curved`, as the
 /// saddle at the end of a pipe. So are, up to 0.1, the other walls of outer rims: of holes in natural surfaces, those
 /// with such loops mostly run on. With eight teeth or more a loop that would be flat is `toothed`. The surface is read from fits behind the loop, so
 /// that noise does not decide; which side of it is out does not matter.

@@ -54,6 +54,7 @@ void save(const QPixmap& picture, const char* name) {
 /// What the person would see: from the screen, composed.
 void shoot(MainWindow& window, const char* name) {
   linger(350);
+  window.view().canvas()->repaint();  // a slow renderer may not have drawn what was asked for
   save(window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height()), name);
 }
 

@@ -3,6 +3,7 @@
 #include "exporter_variants.h"
 #include "io/zip_archive.h"
 
+#include <gmock/gmock.h>
 #include <zlib.h>
 
 #include <cstdint>
@@ -223,7 +224,6 @@ std::vector<Variant> models() {
 
 std::vector<Refusal> refusals() {
   const std::string damaged = "The file is damaged or incomplete; export or copy it again.";
-  const std::string whole = package(model());
   return {
       {"another archive", "a.3mf", zip_archive({{"readme.txt", "hello"}}),
        "this is a ZIP archive without a 3MF model, not a mesh file (byte 0). Unpack it, and open what is in it."},
@@ -247,8 +247,6 @@ std::vector<Refusal> refusals() {
       {"an object of itself", "a.3mf",
        package(model("<object id=\"1\"><components><component objectid=\"1\"/></components></object>")),
        "objects are made of one another more than 64 deep (object 1 of 3d/3dmodel.model). " + damaged},
-      {"cut off", "a.3mf", whole.substr(0, whole.size() / 2),
-       "the ZIP archive is damaged or incomplete (Not a zip archive). Copy or download it again."},
   };
 }
 
@@ -257,6 +255,18 @@ class Exporters3mf : public ExporterTest {};
 TEST_F(Exporters3mf, Archives) { expect_read(archives()); }
 TEST_F(Exporters3mf, Models) { expect_read(models()); }
 TEST_F(Exporters3mf, AreRefusedWithTheReason) { expect_refusals(refusals()); }
+
+/// The reason between is libzip's, and differs from one version to the next.
+TEST_F(Exporters3mf, AreRefusedWhereTheyAreCutOff) {
+  const std::string whole = package(model());
+  try {
+    read(whole.substr(0, whole.size() / 2), "a.3mf");
+    ADD_FAILURE() << "was read";
+  } catch (const ReadError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("the ZIP archive is damaged or incomplete ("));
+    EXPECT_THAT(error.what(), testing::EndsWith("). Copy or download it again."));
+  }
+}
 
 }  // namespace exporters_3mf
 }  // namespace loopmend

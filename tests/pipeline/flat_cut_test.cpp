@@ -192,8 +192,9 @@ TEST(FlatCut, IsNotTheTopOfABump) {
 
 /// However far from plane an upright wall ends, it is closed between its lowest and its highest vertex, as minimal surfaces are.
 TEST(FlatCut, IsNoDomeOverWavyEnds) {
-  for (const double planarity : {0.01, 0.029, 0.0300001, 0.035, 0.05, 0.09, 0.13})
+  for (const double planarity : {0.01, 0.029, 0.0300001, 0.035, 0.05, 0.09, 0.13, 0.2, 0.28})
     for (const int waves : {2, 3}) {
+      if (waves == 3 && planarity > 0.13) continue;  // the diameter would be another one
       SurfaceModel tube = open_above([](double) { return 1.0; }, 3);
       for (Vec3& p : tube.soup.points) {  // rms of a wave: its amplitude over sqrt(2); the diameter is 2
         const double wave = planarity * 2 * std::sqrt(2) * std::cos(waves * std::atan2(p.y(), p.x()));

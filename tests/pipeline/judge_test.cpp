@@ -170,10 +170,16 @@ TEST(Judge, HoldsADomeOverAFlatLoopWorseThanAFold) {
 
 TEST(Judge, FindsAFold) {
   const OpenSphere open;
-  int moved = 0;
+  const auto from_middle_ring = [](const Vec3& p) { return std::abs(p.head<2>().norm() - 0.45); };
+  double least = 1;
+  open.of([&](const Vec3& p) {
+    least = std::min(least, from_middle_ring(p));
+    return p;
+  });
   const Verdict folded = open.of([&](const Vec3& p) {
     const Vec3 on = p.normalized();
-    return moved++ == 0 ? Vec3(-on.x(), -on.y(), on.z()) : on;  // across the hole
+    const Vec3 inward = Vec3(-on.x(), -on.y(), 0).normalized();
+    return from_middle_ring(p) == least ? Vec3((on + 0.25 * inward).normalized()) : on;  // by two edges and more
   });
   EXPECT_EQ(folded.grade, Grade::bad);
   EXPECT_GT(folded.folds, 0);

@@ -56,6 +56,18 @@ TEST(SphereCap, SpheresOfUnevenAndOfFewTrianglesComeBack) {
           << level << ' ' << degrees;
 }
 
+/// More than half of it is missing: a bubble anywhere else.
+TEST(SphereCap, TheFlowAskedForByNameIsNotBadWhereItEndsOnTheSphere) {
+  SurfaceModel ball = make_surface_model(
+      cut(make_icosphere(4), [](const Vec3& p) { return p.z() > std::cos(125 * std::numbers::pi / 180); }));
+  FillOptions options;
+  options.evolution->boundary = BoundaryTrust::exact;
+  const std::vector<HoleResult> results = fill_all_holes(ball, options);
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0].method(), "mmcvf");
+  EXPECT_EQ(results[0].verdict().grade, Grade::good) << results[0].verdict().message();
+}
+
 TEST(SphereCap, WallsAreNoSpheresThoughTheirCornersLieOnOne) {
   for (const int rows : {1, 2}) {
     const SurfaceModel tube = make_surface_model(make_revolution([](double) { return 1.0; }, -0.2, 0.2, 24, rows));
