@@ -3,6 +3,7 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "document/fill_report.h"
 #include "document/labels.h"
 #include "mesh/scan_attributes.h"
 #include "panels/banner.h"
@@ -15,6 +16,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 using namespace loopmend;
@@ -190,9 +192,9 @@ void PreviewTest::a_stitch_is_shown_and_done() {
   QVERIFY(document.scan(document.scans().front())->loops.empty());
 }
 
-/// A ball with a hole, and a fin on one of its edges, by the button of the panel.
+/// A ball with two holes, and a fin on one of its edges, by the button of the panel.
 void PreviewTest::preparing_is_shown_and_done() {
-  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
+  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return std::abs(p.z()) > 0.9; });
   const Triangle t = soup.triangles[soup.triangles.size() / 2];
   soup.points.push_back(1.5 * soup.points[t[0]]);
   soup.triangles.push_back({t[0], t[1], static_cast<int>(soup.points.size()) - 1});
@@ -210,6 +212,10 @@ void PreviewTest::preparing_is_shown_and_done() {
   give(window, "proposalApply");
   QVERIFY(wait_idle(window));
   QVERIFY(triangles_of(window) < soup.triangles.size());
+  QVERIFY(press_and_wait(window, "fill"));
+  QCOMPARE(window.document().patches().size(), std::size_t{2});
+  const QStringList remarks = fill_report(window.document()).remarks;  // that the command does not prepare
+  QVERIFY2(remarks.size() == 1, qPrintable(remarks.join(QLatin1Char('\n'))));
 }
 
 /// A loose triangle of less than a thousandth of a pixel, beside a ball: corners stand around it.
