@@ -72,6 +72,7 @@ class CompareWindow : public QWidget {
  private:
   QWidget* build_run_bar();
   QWidget* build_look_bar();
+  QWidget* build_wipe_bar();
   QWidget* build_views();
   void build_from();
   void wire();
