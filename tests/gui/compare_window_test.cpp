@@ -99,6 +99,9 @@ void CompareWindowTest::the_table_of_holes_stays_in_sight() {
     return std::max(0, window->geometry().right() + 1 - needed.left());
   };
   QCOMPARE(covered(), 0);
+  const auto* run = in<QPushButton>(*window, "compareRun");
+  QVERIFY(wait_until([&] { return run->isEnabled(); }));
+  QVERIFY(window->focusWidget() == run);  // for Space
   QVERIFY(run_all(*window));
   QCOMPARE(covered(), 0);
 }
