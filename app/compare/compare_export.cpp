@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a comparison leaves behind: one picture, three tables.
+// What a comparison leaves behind: one picture, three tables, a command, its place on the screen.
 #include "compare/compare_numbers.h"
 #include "compare/compare_window.h"
 #include "compare/flow_canvas.h"
@@ -9,6 +9,7 @@
 #include "dialogs/picture_dialog.h"
 #include "document/file_path.h"
 #include "document/message_words.h"
+#include "document/preferences.h"
 #include "panels/banner.h"
 #include "problems/comparison_table.h"
 
@@ -101,5 +102,14 @@ void CompareWindow::ask_numbers() {
     banner_->show_problem(labels::in_words(message_of(error)));
   }
 }
+
+void CompareWindow::copy_command() {
+  std::vector<FlowKind> flows;
+  for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
+    flows.push_back(flow_comparison_.flow(flow_run));
+  banner_->show_notice(copy_to_clipboard(comparing_command(task_.command, options(), flows)));
+}
+
+void CompareWindow::keep_place() const { save_compare_place(saveGeometry()); }
 
 }  // namespace loopmend

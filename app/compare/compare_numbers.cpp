@@ -25,6 +25,7 @@ namespace loopmend {
 namespace {
 
 constexpr int flows = 4;
+constexpr int folds = 10, cuts = 11;  ///< columns
 enum Energy { variation, bending, area };
 
 double energy_of(const PatchEnergies& energies, int which) {
@@ -70,6 +71,12 @@ QString status_words(const std::string& status) {
   return QString::fromStdString(status);
 }
 
+bool any_counted(const QTableWidget& table, int column) {
+  for (int row = 0; row < table.rowCount(); ++row)
+    if (const QTableWidgetItem* item = table.item(row, column); item && item->text().toInt() > 0) return true;
+  return false;
+}
+
 std::vector<std::string> live_row(const ComparedRun& flow_run) {
   std::string status;
   if (flow_run.stage == ComparedRun::Stage::ended) status = to_string(flow_run.status);
@@ -112,7 +119,7 @@ CompareNumbers::CompareNumbers(const ComparisonController& flow_comparison, cons
       plot->add_graph(Plot::Side::left, QString::fromStdString(upper_name(flow)), Plot::Line::solid, ink_of(flow));
   for (Plot* plot : {energies_, profiles_}) plot->set_axis(Plot::Side::left, Plot::Scale::linear);
   profiles_->leave_out_of_fit(0);                       // MCF: a crease's curvature would leave the others flat
-  constexpr int least_width = 320, least_height = 190;  // with two lines of legend and a name below
+  constexpr int least_width = 300, least_height = 190;  // with two lines of legend and a name below
   for (Plot* plot : {energies_, profiles_}) plot->setMinimumSize(least_width, least_height);
   energies_->set_name_below(tr("Step"));
   which_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -167,11 +174,12 @@ void CompareNumbers::update_all() {
   update_across();
 }
 
-/// No figure is cut off. While flows run, columns grow and never shrink: the plots beside them would not come to rest.
+/// No figure is cut off, and no column is there for zeros alone. While flows run, columns grow and never shrink: the plots beside them would not come to rest.
 void CompareNumbers::fit_width() {
+  for (int c : {folds, cuts}) table_->setColumnHidden(c, !any_counted(*table_, c));
   for (int c = 0; c < table_->columnCount(); ++c) {
     const int needed = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(c);
-    table_->setColumnWidth(c, std::max(table_->columnWidth(c), needed + 2));
+    if (!table_->isColumnHidden(c)) table_->setColumnWidth(c, std::max(table_->columnWidth(c), needed + 2));
   }
   table_->setFixedWidth(table_->horizontalHeader()->length() + 2 * table_->frameWidth() + 2);
 }

@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "document/labels.h"
 #include "document/message_words.h"
-#include "document/preferences.h"
 #include "jobs/remaining_time.h"
 #include "panels/banner.h"
 #include "panels/choices.h"
@@ -95,13 +94,13 @@ CompareWindow::CompareWindow(ComparisonController& flow_comparison, CompareTask 
   column->setSpacing(6);
   column->addWidget(build_run_bar());
   column->addWidget(build_look_bar());
+  column->addWidget(build_wipe_bar());
   column->addWidget(splitter, 1);
   banner_ = new Banner(this);
   wire();
   arrange();
   apply_look();
   update_all();
-  run_->setFocus();
 }
 
 QWidget* CompareWindow::build_run_bar() {
@@ -125,20 +124,12 @@ QWidget* CompareWindow::build_run_bar() {
   sigma_value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("\u03c3 = 0.0100")));
   wait_ = make_note("compareWait");
   wait_->setWordWrap(false);
-  save_picture_ =
-      make_button("comparePicture", tr("Save &picture\u2026"), tr("All views as one PNG of a size you choose"));
-  save_numbers_ = make_button("compareNumbers", tr("Save &numbers\u2026"),
-                              tr("Table, energies and profiles as CSV, as loopmend compare writes them"));
-  copy_ = make_button("compareCopy", tr("Copy co&mmand line"), tr("Copy the commands that do the same"));
   auto* bar = new QWidget;
   auto* row = make_layout<QHBoxLayout>(bar);
   row->setSpacing(8);
   for (QWidget* part : std::initializer_list<QWidget*>{run_, stop_, divider(), count_, mode_, sigma_, sigma_value_})
     row->addWidget(part);
   row->addWidget(wait_, 1);
-  row->addWidget(copy_);
-  row->addWidget(save_picture_);
-  row->addWidget(save_numbers_);
   return bar;
 }
 
@@ -164,19 +155,34 @@ QWidget* CompareWindow::build_look_bar() {
   linked_->setChecked(true);
   auto* framing = make_button("compareFrame", tr("&Frame"), tr("See the whole patch in every view (F)"));
   connect(framing, &QPushButton::clicked, this, &CompareWindow::frame);
+  auto* bar = new QWidget;
+  auto* row = make_layout<QHBoxLayout>(bar);
+  row->setSpacing(8);
+  for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, seams_, own_range_, half_width_,
+                                                       divider(), linked_, framing})
+    row->addWidget(part);
+  row->addStretch(1);
+  return bar;
+}
+
+QWidget* CompareWindow::build_wipe_bar() {
   wiping_ = new QCheckBox(tr("Wip&e between"));
   explain(wiping_, "compareWipe", tr("Wipe"),
           tr("One large picture of two flows, with a line between them that can be drawn"));
   for (QComboBox** box : {&left_, &right_}) *box = new QComboBox;
   explain(left_, "compareWipeLeft", tr("Left of the line"), tr("Which flow, or the start, is left of the line"));
   explain(right_, "compareWipeRight", tr("Right of the line"), tr("Which flow, or the start, is right of the line"));
+  save_picture_ =
+      make_button("comparePicture", tr("Save &picture\u2026"), tr("All views as one PNG of a size you choose"));
+  save_numbers_ = make_button("compareNumbers", tr("Save &numbers\u2026"),
+                              tr("Table, energies and profiles as CSV, as loopmend compare writes them"));
+  copy_ = make_button("compareCopy", tr("Copy co&mmand line"), tr("Copy the commands that do the same"));
   auto* bar = new QWidget;
   auto* row = make_layout<QHBoxLayout>(bar);
   row->setSpacing(8);
-  for (QWidget* part : std::initializer_list<QWidget*>{shading_, from_, edges_, seams_, own_range_, half_width_,
-                                                       divider(), linked_, framing, divider(), wiping_, left_, right_})
-    row->addWidget(part);
+  for (QWidget* part : std::initializer_list<QWidget*>{wiping_, left_, right_}) row->addWidget(part);
   row->addStretch(1);
+  for (QWidget* part : std::initializer_list<QWidget*>{copy_, save_picture_, save_numbers_}) row->addWidget(part);
   return bar;
 }
 
@@ -353,6 +359,7 @@ void CompareWindow::update_use() {
   const ComparisonController::Stage stage = flow_comparison_.stage();
   const bool ready = stage == ComparisonController::Stage::ready;
   run_->setEnabled(ready);
+  if (ready && !std::exchange(was_ready_, true)) run_->setFocus();  // Qt moves it on from what is disabled
   stop_->setEnabled(stage == ComparisonController::Stage::running);
   for (QWidget* part : std::initializer_list<QWidget*>{count_, mode_, save_numbers_}) part->setEnabled(ready);
   save_picture_->setEnabled(flow_comparison_.start() != nullptr);
@@ -460,15 +467,6 @@ void CompareWindow::accept(int flow_run) {
     banner_->show_problem(labels::in_words(message_of(error)));
   }
 }
-
-void CompareWindow::copy_command() {
-  std::vector<FlowKind> flows;
-  for (int flow_run = 0; flow_run < flow_comparison_.flow_runs(); ++flow_run)
-    flows.push_back(flow_comparison_.flow(flow_run));
-  banner_->show_notice(copy_to_clipboard(comparing_command(task_.command, options(), flows)));
-}
-
-void CompareWindow::keep_place() const { save_compare_place(saveGeometry()); }
 
 void CompareWindow::closeEvent(QCloseEvent* event) {
   keep_place();

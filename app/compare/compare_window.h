@@ -72,6 +72,7 @@ class CompareWindow : public QWidget {
  private:
   QWidget* build_run_bar();
   QWidget* build_look_bar();
+  QWidget* build_wipe_bar();
   QWidget* build_views();
   void build_from();
   void wire();
@@ -104,7 +105,7 @@ class CompareWindow : public QWidget {
   PictureClock* clock_;
   double range_ = 1;
   QElapsedTimer running_;
-  bool faced_ = false, run_soon_ = false;
+  bool faced_ = false, run_soon_ = false, was_ready_ = false;
   std::vector<FlowView*> flow_views_;
   FlowCanvas* wipe_ = nullptr;
   QStackedWidget* pages_ = nullptr;

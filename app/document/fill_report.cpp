@@ -224,13 +224,18 @@ QString html_of(const FillReport& report, PictureLinks links) {
                      "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\">"
                      "<meta name=\"viewport\" content=\"width=device-width\"><title>%1</title>\n"
                      "<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; } "
-                     "img { max-width: 100%; height: auto; } td { vertical-align: top; padding: 8px; } "
+                     "td { vertical-align: top; padding: 8px; } td:first-child { width: 45%; } "
+                     "img { width: 100%; height: auto; } "
                      "pre { white-space: pre-wrap; }</style></head>\n<body>\n<h1>%1</h1>\n")
                      .arg(title);
   html += paragraph(size_of_patches(report));
   for (const QString& fact : report.facts) html += paragraph(fact);
-  html += QStringLiteral("<table>\n");
+  // Pages of a PDF: below the head of the first there is room for three holes, on the others for four.
+  constexpr std::size_t on_first = 3, on_others = 4;
+  html += QStringLiteral("<table width=\"100%\">\n");
   for (std::size_t k = 0; k < report.holes.size(); ++k) {
+    if (k >= on_first && (k - on_first) % on_others == 0)
+      html += QStringLiteral("</table>\n<table width=\"100%\" style=\"page-break-before: always\">\n");
     const FillReport::Hole& hole = report.holes[k];
     html += QStringLiteral("<tr><td>%1</td><td><h3>%2: <span style=\"color:%3\">%4</span></h3>\n")
                 .arg(picture_of(hole, k, links), hole.name.toHtmlEscaped(), hole.color, hole.verdict.toHtmlEscaped());

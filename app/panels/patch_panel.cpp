@@ -3,6 +3,7 @@
 
 #include "document/document.h"
 #include "document/hole_selection.h"
+#include "document/targets.h"
 #include "jobs/fill_controller.h"
 #include "panels/decision_box.h"
 #include "panels/fill_box.h"
@@ -36,14 +37,15 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
                        QWidget* parent)
     : QWidget(parent),
       document_(document),
+      selection_(selection),
+      scroll_(new QScrollArea),
       fill_(new FillBox(document, selection, controller)),
       flow_(new FlowBox(document, selection, controller)),
       decision_(new DecisionBox(document, selection, controller)) {
   setObjectName(QStringLiteral("patchPanel"));
-  auto* scroll = new QScrollArea;
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 2, 8, 2);
@@ -54,21 +56,24 @@ PatchPanel::PatchPanel(const Document& document, const HoleSelection& selection,
   layout->addWidget(decision_);
   layout->addWidget(flow_);
   layout->addStretch(1);
-  scroll->setWidget(content);
+  scroll_->setWidget(content);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 4);
   whole->setSpacing(4);
-  whole->addWidget(scroll, 1);
+  whole->addWidget(scroll_, 1);
   auto* progress = new ProgressBox(controller);
   progress->setContentsMargins(8, 0, 8, 0);
   whole->addWidget(progress);
-  setMinimumWidth(width_with_folds(*content) + scroll->verticalScrollBar()->sizeHint().width() + 2);
+  setMinimumWidth(width_with_folds(*content) + scroll_->verticalScrollBar()->sizeHint().width() + 2);
   connect(fill_, &FillBox::wanted, &controller,
           [this, &controller](const std::set<int>& loops, const std::set<int>& patch_ids, const FillChoice& choice) {
             controller.fill_and_smooth(loops, patch_ids, choice, flow_->options());
           });
   connect(&controller, &FillController::activity_changed, this, &PatchPanel::update_state);
-  connect(&selection, &HoleSelection::selection_changed, this, &PatchPanel::update_state);
+  connect(&selection, &HoleSelection::selection_changed, this, [this] {
+    update_state();
+    scroll_to_step();
+  });
   connect(&document, &Document::opened, this, &PatchPanel::update_state);
   connect(&document, &Document::scans_changed, this, &PatchPanel::update_state);
   connect(&document, &Document::patches_changed, this, &PatchPanel::update_state);
@@ -85,6 +90,14 @@ void PatchPanel::update_state() {
   flow_->update_state();
   decision_->update_state();
   Q_EMIT updated();
+}
+
+/// In a low window, to what the selected holes need next: filling, or a decision and the flow. Never under the mouse.
+void PatchPanel::scroll_to_step() {
+  if (selection_.selected().empty() || underMouse()) return;
+  const bool open = !loops_to_fill(document_, selection_).empty() || chosen_patches(document_, selection_).empty();
+  if (!open) scroll_->ensureWidgetVisible(flow_, 0, 0);
+  scroll_->ensureWidgetVisible(open ? static_cast<QWidget*>(fill_) : decision_, 0, 0);
 }
 
 }  // namespace loopmend

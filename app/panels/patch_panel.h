@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+class QScrollArea;
+
 namespace loopmend {
 
 class DecisionBox;
@@ -30,8 +32,11 @@ class PatchPanel : public QWidget {
 
  private:
   void update_state();
+  void scroll_to_step();
 
   const Document& document_;
+  const HoleSelection& selection_;
+  QScrollArea* scroll_;
   FillBox* fill_;
   FlowBox* flow_;
   DecisionBox* decision_;

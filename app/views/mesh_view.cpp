@@ -321,6 +321,8 @@ std::vector<float> MeshView::line_of_loop(int loop) const {
 
 void MeshView::show_marked(SurfaceShapePtr shape) {
   impl_->scene.set_marked(std::move(shape));
+  impl_->place.reset();
+  update_marks();
   redraw();
 }
 

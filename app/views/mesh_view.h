@@ -24,6 +24,7 @@ namespace loopmend {
 
 class HoleSelection;
 
+struct MarkedPlace;
 struct SurfacePlace;
 
 /// A picture that leaves the program.
@@ -158,6 +159,7 @@ class MeshView : public QWidget {
   void update_highlight();
   void update_marks();
   QPolygonF line_on_screen(int loop) const;
+  QRectF box_on_screen(const MarkedPlace& place) const;
   void update_palette();
   void hover(const QPoint& at);
   void ask_for_menu(const QPoint& at);

@@ -34,6 +34,12 @@
 
 namespace loopmend {
 
+/// A ball, in the scene's frame.
+struct MarkedPlace {
+  Vec3 center;
+  double radius;
+};
+
 struct MeshView::Impl {
   Impl(const Document& d, SceneVisibility& v, HoleSelection& s) : document(d), visibility(v), selection(s) {}
 
@@ -65,7 +71,8 @@ struct MeshView::Impl {
   ScanRanges scan_ranges;
   std::map<int, double> ranges;  ///< of scans whose colours have one of their own
   bool preview_shown = false;
-  bool fresh_scene = true;  ///< nothing of it has been seen yet: the eye may go where it likes
+  std::optional<MarkedPlace> place;  ///< the last one flown to of what show_marked() shows
+  bool fresh_scene = true;           ///< nothing of it has been seen yet: the eye may go where it likes
   ProblemPicture trial;
   std::set<int> hidden_loops;  ///< whose patches others are shown for
   std::vector<SurfaceShapePtr> instead;

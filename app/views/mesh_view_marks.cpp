@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What MeshView paints over the picture to name holes: the loop under the mouse, corners around selected patches.
+// What MeshView paints over the picture: the loop under the mouse, corners around selected patches and around a place.
 #include "document/labels.h"
 #include "views/mesh_view_impl.h"
 
@@ -50,7 +50,26 @@ void MeshView::update_marks() {
     const bool seen = facing(*document.scan(document.scan_of(loop))->model, l).dot(eye - l.center) > 0;
     marks.push_back({box, seen ? Side::seen : Side::from_behind});
   }
+  if (impl_->place)
+    if (const QRectF box = box_on_screen(*impl_->place); !box.isEmpty()) marks.push_back({box});
   impl_->overlay->set_marks(marks);
+}
+
+/// Of the ball's bounding box, a few pixels at least; empty where a corner of it is behind the eye.
+QRectF MeshView::box_on_screen(const MarkedPlace& place) const {
+  constexpr double least = 6;
+  const Eigen::Matrix4d to_clip = impl_->to_clip();
+  const QSize size = impl_->canvas->size();
+  QPolygonF corners;
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 way(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    const Eigen::Vector4d p = to_clip * Vec3(place.center + place.radius * way).homogeneous();
+    if (!(p.w() > 0)) return {};
+    corners << QPointF(size.width() * (1 + p.x() / p.w()) / 2, size.height() * (1 - p.y() / p.w()) / 2);
+  }
+  const QRectF box = corners.boundingRect();
+  const double wider = std::max(0.0, least - box.width() / 2), higher = std::max(0.0, least - box.height() / 2);
+  return box.adjusted(-wider, -higher, wider, higher);
 }
 
 }  // namespace loopmend

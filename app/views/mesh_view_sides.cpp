@@ -41,7 +41,7 @@ void MeshView::fly_to_side(NamedView side) {
 void MeshView::fly_to_place(const Vec3& center, double radius, const Vec3& direction) {
   constexpr double share = 3;  // of what is around it
   const auto b = impl_->scene.bounds();
-  const double least = 0.01 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm();
+  const double least = 0.06 * Vec3(b[1] - b[0], b[3] - b[2], b[5] - b[4]).norm();
   Stand stand;
   stand.focus = center - impl_->document.origin();
   stand.radius = std::max(share * radius, least);
@@ -52,6 +52,7 @@ void MeshView::fly_to_place(const Vec3& center, double radius, const Vec3& direc
   goal->DeepCopy(impl_->camera());
   place_camera(goal, stand);
   goal->OrthogonalizeViewUp();
+  impl_->place = MarkedPlace{stand.focus, radius};
   impl_->flight->start(impl_->camera(), pose_of(goal), [this] { redraw(); });
 }
 

@@ -9,10 +9,10 @@
 #include "document/fill_report.h"
 #include "document/labels.h"
 #include "io/write_mesh.h"
-#include "repair/watertight.h"
 #include "panels/banner.h"
 #include "panels/candidate_card.h"
 #include "panels/candidates_panel.h"
+#include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
 #include "tools/region_tool.h"
 #include "views/file_controller.h"
@@ -78,6 +78,7 @@ class AskingTest : public QObject {
  private Q_SLOTS:
   void the_wheel_scrolls_panels_at_once();
   void what_decides_on_a_patch_is_seen_at_once();
+  void a_low_window_shows_the_step_of_the_selection();
   void patches_do_not_go_without_a_question();
   void many_new_holes_are_asked_about();
   void facts_of_the_former_scan_go_with_its_picture();
@@ -127,6 +128,26 @@ void AskingTest::what_decides_on_a_patch_is_seen_at_once() {
       QVERIFY2(button->visibleRegion().contains(button->rect().adjusted(1, 1, -1, -1)), name);
     }
   }
+}
+
+void AskingTest::a_low_window_shows_the_step_of_the_selection() {
+  Shown window({sample_file(folder_)}, Shown::Extent::usual);
+  window.resize(1260, 680);
+  QTest::mouseMove(window.view().canvas(), QPoint(5, 5));
+  const auto is_seen = [&](const char* name) {
+    auto* button = window.findChild<QWidget*>(QLatin1String(name));
+    return button->visibleRegion().contains(button->rect().adjusted(1, 1, -1, -1));
+  };
+  constexpr int filled = 1, open = 2;
+  window.selection().select({filled});
+  QVERIFY(press_and_wait(window, "fillAndSmooth"));
+  window.selection().select({});
+  window.selection().select({filled});
+  settle();
+  for (const char* name : {"accept", "otherPatches", "run", "moreOfFlow"}) QVERIFY2(is_seen(name), name);
+  window.selection().select({open});
+  settle();
+  for (const char* name : {"moreOfFill", "fillAndSmooth", "trim"}) QVERIFY2(is_seen(name), name);
 }
 
 void AskingTest::patches_do_not_go_without_a_question() {

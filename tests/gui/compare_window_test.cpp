@@ -3,14 +3,17 @@
 #include "compare_driver.h"
 #include "test_main.h"
 
+#include "document/preferences.h"
 #include "panels/plot.h"
 #include "panels/plot_library.h"
 #include "panels/window_place.h"
 
 #include <QComboBox>
 #include <QScreen>
+#include <QTableView>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <set>
 
 using namespace loopmend;
@@ -22,6 +25,7 @@ class CompareWindowTest : public QObject {
  private Q_SLOTS:
   void it_fits_the_screen_and_keeps_its_place();
   void it_lies_beside_the_holes_where_there_is_room();
+  void the_table_of_holes_stays_in_sight();
   void distances_and_their_histogram_have_the_unit();
   void marks_of_nearly_equal_values_differ();
 
@@ -76,6 +80,30 @@ void CompareWindowTest::it_lies_beside_the_holes_where_there_is_room() {
   QVERIFY(narrow.right() < holes.left() - 250 && narrow.left() >= 0 && narrow.width() >= least);
   const QRect room(4, 30, 1272, 762);
   QVERIFY(room.contains(place_beside(QRect(0, 0, 1280, 800), holes, size, least, room)));
+}
+
+/// On a screen of 1400x900, before and after the flows have run.
+void CompareWindowTest::the_table_of_holes_stays_in_sight() {
+  save_compare_place({});  // of another comparison
+  Shown shown({sample_file(folder_)}, Shown::Extent::usual);
+  shown.move(20, 30);  // where a window manager puts it
+  QVERIFY(press_and_wait(shown, "fillAndSmooth"));
+  shown.selection().select({2});
+  key(shown, Qt::Key_C);
+  CompareWindow* window = compare_window(shown);
+  QVERIFY(window && QTest::qWaitForWindowExposed(window));
+  const auto* table = part<QTableView>(shown, "holesTable");
+  const QRect needed(table->mapToGlobal(QPoint(0, 0)), table->size());
+  const auto covered = [&] {
+    settle();
+    return std::max(0, window->geometry().right() + 1 - needed.left());
+  };
+  QCOMPARE(covered(), 0);
+  const auto* run = in<QPushButton>(*window, "compareRun");
+  QVERIFY(wait_until([&] { return run->isEnabled(); }));
+  QVERIFY(window->focusWidget() == run);  // for Space
+  QVERIFY(run_all(*window));
+  QCOMPARE(covered(), 0);
 }
 
 void CompareWindowTest::distances_and_their_histogram_have_the_unit() {

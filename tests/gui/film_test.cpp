@@ -12,6 +12,7 @@
 #include "views/film_source.h"
 #include "views/report_writer.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QDir>
 #include <QElapsedTimer>
@@ -24,7 +25,10 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextDocument>
+#include <QTextTable>
 #include <QToolButton>
+#include <QUrl>
 
 #include <algorithm>
 #include <fstream>
@@ -109,6 +113,7 @@ class FilmTest : public QObject {
   void the_command_line_writes_the_flow();
   void a_report_shows_each_patch();
   void a_picture_of_the_report_has_the_outline_of_its_hole();
+  void a_page_of_the_report_ends_between_two_holes();
   void a_report_given_up_leaves_no_file();
 
  private:
@@ -375,6 +380,49 @@ void FilmTest::a_picture_of_the_report_has_the_outline_of_its_hole() {
     return count;
   };
   QVERIFY2(white(shown) > white(bare) + 100, qPrintable(QString::number(white(shown))));
+}
+
+/// As QTextDocument prints on A4: margins of 2 cm at 96 dots per inch.
+void FilmTest::a_page_of_the_report_ends_between_two_holes() {
+  FillReport report;
+  report.title = QStringLiteral("Holes of a scan");
+  for (int k = 0; k < 6; ++k) report.facts << QStringLiteral("A fact of the scan.");
+  QImage picture(720, 480, QImage::Format_RGB32);
+  picture.fill(Qt::gray);
+  constexpr int holes = 12, lines = 6;
+  for (int k = 0; k < holes; ++k) {
+    FillReport::Hole hole;
+    hole.name = QStringLiteral("Hole %1").arg(k + 1);
+    hole.verdict = QStringLiteral("look");
+    for (int line = 0; line < lines; ++line) hole.lines << QStringLiteral("Likely within 0.019 of what was there.");
+    hole.picture = picture;
+    report.holes.push_back(hole);
+  }
+  QTextDocument document;
+  for (int k = 0; k < holes; ++k)
+    document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture:%1").arg(k)), picture);
+  document.setHtml(html_of(report, PictureLinks::named));
+  QTextFrameFormat format = document.rootFrame()->frameFormat();
+  format.setMargin(76);
+  document.rootFrame()->setFrameFormat(format);
+  document.setPageSize(QSizeF(794, 1123));
+  QCOMPARE(document.pageCount(), 4);
+  const auto page_of = [&](double y) { return static_cast<int>(y / document.pageSize().height()); };
+  int rows = 0;
+  for (const QTextFrame* frame : document.rootFrame()->childFrames()) {
+    const auto* table = qobject_cast<const QTextTable*>(frame);
+    for (int row = 0; table && row < table->rows(); ++row, ++rows) {
+      const QRectF text =
+                       document.documentLayout()->blockBoundingRect(table->cellAt(row, 1).lastCursorPosition().block()),
+                   head = document.documentLayout()->blockBoundingRect(
+                       table->cellAt(row, 1).firstCursorPosition().block()),
+                   image = document.documentLayout()->blockBoundingRect(
+                       table->cellAt(row, 0).firstCursorPosition().block());
+      QCOMPARE(page_of(image.bottom()), page_of(head.top()));
+      QCOMPARE(page_of(text.bottom()), page_of(head.top()));
+    }
+  }
+  QCOMPARE(rows, holes);
 }
 
 void FilmTest::a_report_given_up_leaves_no_file() {

@@ -3,16 +3,20 @@
 #include "driver.h"
 #include "test_main.h"
 
+#include "document/fill_report.h"
 #include "document/labels.h"
 #include "mesh/scan_attributes.h"
 #include "panels/banner.h"
 #include "samples/analytic_surfaces.h"
+#include "views/view_overlay.h"
 
+#include <QLineF>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 using namespace loopmend;
@@ -98,6 +102,7 @@ class PreviewTest : public QObject {
   void each_place_is_shown();
   void a_stitch_is_shown_and_done();
   void preparing_is_shown_and_done();
+  void a_place_too_small_to_be_seen_is_marked();
   void tiles_that_overlap_are_joined();
   void other_work_takes_the_question_away();
 
@@ -187,9 +192,9 @@ void PreviewTest::a_stitch_is_shown_and_done() {
   QVERIFY(document.scan(document.scans().front())->loops.empty());
 }
 
-/// A ball with a hole, and a fin on one of its edges, by the button of the panel.
+/// A ball with two holes, and a fin on one of its edges, by the button of the panel.
 void PreviewTest::preparing_is_shown_and_done() {
-  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
+  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return std::abs(p.z()) > 0.9; });
   const Triangle t = soup.triangles[soup.triangles.size() / 2];
   soup.points.push_back(1.5 * soup.points[t[0]]);
   soup.triangles.push_back({t[0], t[1], static_cast<int>(soup.points.size()) - 1});
@@ -207,6 +212,32 @@ void PreviewTest::preparing_is_shown_and_done() {
   give(window, "proposalApply");
   QVERIFY(wait_idle(window));
   QVERIFY(triangles_of(window) < soup.triangles.size());
+  QVERIFY(press_and_wait(window, "fill"));
+  QCOMPARE(window.document().patches().size(), std::size_t{2});
+  const QStringList remarks = fill_report(window.document()).remarks;  // that the command does not prepare
+  QVERIFY2(remarks.size() == 1, qPrintable(remarks.join(QLatin1Char('\n'))));
+}
+
+/// A loose triangle of less than a thousandth of a pixel, beside a ball: corners stand around it.
+void PreviewTest::a_place_too_small_to_be_seen_is_marked() {
+  TriangleSoup soup = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
+  const int first = static_cast<int>(soup.points.size());
+  const Vec3 at(1.02, 0, 0);
+  for (const Vec3& p : {at, Vec3(at + Vec3(0, 1e-7, 0)), Vec3(at + Vec3(0, 0, 1e-7))}) soup.points.push_back(p);
+  soup.triangles.push_back({first, first + 1, first + 2});
+  Shown window({scan_file(folder_, QStringLiteral("speck.ply"), soup)});
+  auto* overlay = part<ViewOverlay>(window, "viewOverlay");
+  press(window, "prepare");
+  QVERIFY(!proposed(window).isEmpty());
+  QVERIFY(wait_until([&] { return !window.view().is_flying(); }));
+  QVERIFY(settle());
+  QCOMPARE(overlay->marks().size(), std::size_t(1));
+  const QRectF box = overlay->marks().front().box;
+  QVERIFY(box.width() >= 12 && box.width() < 20);
+  QVERIFY(QLineF(box.center(), QRectF(overlay->rect()).center()).length() < 4);
+  give(window, "proposalKeep");
+  QVERIFY(settle());
+  QVERIFY(overlay->marks().empty());
 }
 
 void PreviewTest::tiles_that_overlap_are_joined() {
