@@ -235,8 +235,18 @@ class SphereSums {
   int count_ = 0;
 };
 
+/// Whether it runs along an edge of the scan that has several faces.
+bool is_cut(const SurfaceModel& model, const BoundaryLoop& loop, const SoupEdges& edges) {
+  for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+    const int next = loop.vertices[(i + 1) % loop.vertices.size()];
+    if (edges.has_several_faces(model.soup_vertex[loop.vertices[i]], model.soup_vertex[next])) return true;
+  }
+  return false;
+}
+
 /// Fills onward, extent, ends_tube, depth and on_sphere. The last two are measured only where they may matter.
-void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std::vector<BoundaryLoop>& loops) {
+void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, const SoupEdges& edges,
+                           std::vector<BoundaryLoop>& loops) {
   std::map<int, std::vector<std::pair<BoundaryLoop*, Vec3>>>
       at_piece;  // loops whose depth is asked for, and their axes
   for (BoundaryLoop& loop : loops) {
@@ -250,7 +260,9 @@ void measure_beside_pieces(const SurfaceModel& model, const Pieces& pieces, std:
     if (loop.extent > whole_extent && loop.diameter > 0) at_piece[piece].emplace_back(&loop, facing.axis);
   }
   for (const auto& [piece, asked] : at_piece) {
-    const auto ends = [](const auto& entry) { return std::abs(entry.first->turning) < turning_of_a_tube; };
+    const auto ends = [&](const auto& entry) {
+      return std::abs(entry.first->turning) < turning_of_a_tube && !is_cut(model, *entry.first, edges);
+    };
     if (std::ranges::count_if(asked, ends) < 2) continue;
     for (const auto& entry : asked) entry.first->ends_tube = ends(entry);
   }
@@ -361,7 +373,7 @@ std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {
   count_coincident(model, loops);
   if (loops.empty()) return loops;
   for (BoundaryLoop& loop : loops) measure(model, loop);
-  measure_beside_pieces(model, Pieces(model), loops);
+  measure_beside_pieces(model, Pieces(model), edges, loops);
   for (BoundaryLoop& loop : loops) loop.kind = kind_of(model, loop, edges);
   for (int k : covered_triangles(model, loops))
     if (loops[k].kind == LoopKind::hole) loops[k].kind = LoopKind::crack;
