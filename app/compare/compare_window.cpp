@@ -359,7 +359,7 @@ void CompareWindow::update_use() {
   const ComparisonController::Stage stage = flow_comparison_.stage();
   const bool ready = stage == ComparisonController::Stage::ready;
   run_->setEnabled(ready);
-  if (ready && !std::exchange(was_ready_, true)) run_->setFocus();  // Qt moves it on from what is disabled
+  if (ready && !std::exchange(was_ready_, true)) run_->setFocus();  // Qt takes it off a disabled button
   stop_->setEnabled(stage == ComparisonController::Stage::running);
   for (QWidget* part : std::initializer_list<QWidget*>{count_, mode_, save_numbers_}) part->setEnabled(ready);
   save_picture_->setEnabled(flow_comparison_.start() != nullptr);

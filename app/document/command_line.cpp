@@ -143,7 +143,7 @@ CommandLine command_line(const Document& document, const std::set<int>& patch_id
     if (!patch) continue;
     scans.try_emplace(patch->scan, document, patch->scan).first->second.add(*patch, result.remarks);
   }
-  result.remarks.removeDuplicates();  // what is said of a scan holds for all of its patches
+  result.remarks.removeDuplicates();  // one on the scan holds for all of its patches
   QStringList lines;
   for (const auto& [index, commands] : scans) lines << commands.text();
   result.text = lines.join(QLatin1Char('\n'));

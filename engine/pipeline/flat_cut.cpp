@@ -18,12 +18,11 @@ namespace loopmend {
 
 namespace {
 
-constexpr int fewest_edges = 4;
+constexpr int fewest_edges = 4, fewest_round_a_tube = 8;
 constexpr double exact_planarity = 0.003;
 constexpr double most_planarity = 0.1;  ///< above, the loop's plane says nothing about the wall, but its rulings may:
-constexpr double most_planarity_of_a_tube = 0.35, along_rulings = 0.4;
-constexpr double most_taper = 0.25;
-constexpr int fewest_round_a_tube = 8;
+constexpr double most_planarity_of_a_tube = 0.35, along_rulings = 0.65, most_taper = 0.25;
+constexpr double share_of_a_saddle = 0.8, slope_of_a_saddle = 5.66;  ///< of cos 2φ on a cylinder, in planarities: 4 √2
 constexpr double steep = 0.5;         ///< sine of the angle between surface and plane, median along the loop
 constexpr double still_steep = 0.35;  ///< the same, for all but the share of the loop that may be torn:
 constexpr double torn_share = 0.1;
@@ -52,8 +51,7 @@ constexpr int fewest_samples = 8;
 constexpr double long_edge = 0.8;
 /// A dome is missing where one quadric goes on behind the loop: of 21 balls, ellipsoids and parts of them, with noise of up to 0.4 %
 /// of their radius, it is off by 0 to 0.0025 diameters, of eleven standing figures and wavy bases that bend like a ball at their
-/// base alone by 0.006 to 0.046. What 1.2 noises leave of it, in squares, is up to 0.0035 at 120 balls, ellipsoids and eggs with
-/// noise of up to 1 %, and 0.009 and more at five such figures.
+/// base alone by 0.006 to 0.046; beyond 1.2 noises of up to 1 %, 120 balls and eggs by 0.0035, five figures by 0.009 and more.
 constexpr double reach_of_quadric = 1.5, off_quadric = 0.005, noises_off_quadric = 1.2;
 /// In diameters: a surface so near to a quadric goes on with it where that closes so far over the loop. Chosen on ellipsoids and eggs
 /// (0 to 0.0005; 0.14 to 0.39) and a barrel (0.53), which ends.
@@ -437,7 +435,9 @@ LoopEnd end_of(const BoundaryLoop& loop, const LoopFacing& facing, const Profile
   const bool straight = share_of_a_ball < most_of_a_straight_wall;
   if (straight && quantile(wall.of_faces, torn_share) >= upright_all_along)
     return flat ? LoopEnd::flat : LoopEnd::curved;
-  if (straight && !flat && loop.edges() >= fewest_round_a_tube && wall.along_rulings >= along_rulings)
+  const double of_a_saddle = share_of_a_saddle / std::hypot(1, slope_of_a_saddle * loop.planarity);
+  if (straight && !flat && loop.edges() >= fewest_round_a_tube &&
+      wall.along_rulings >= std::min(along_rulings, of_a_saddle))
     return LoopEnd::curved;
   if (loop.planarity > most_planarity) return LoopEnd::runs_on;
   if (straight && loop.planarity <= plane_cut && median(wall.of_faces) >= steep &&
