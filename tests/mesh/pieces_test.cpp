@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/pieces.h"
 
+#include "core/random.h"
+#include "mesh/boundary_loops.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +63,18 @@ TEST(LowestConnectedVertices, AreThoseOfThePieces) {
   ASSERT_EQ(lowest.size(), static_cast<std::size_t>(all) + 1);
   for (int v = 0; v < all; ++v) ASSERT_EQ(lowest[v], v < all - first ? 0 : all - first) << v;
   EXPECT_EQ(lowest[all], all) << "it has no edge";
+}
+
+/// However low it is, and whatever the noise of its faces.
+TEST(BoundaryLoops, BothEndsOfALowNoisyTubeAreHoles) {
+  for (const double height : {0.1, 0.3, 0.6})
+    for (const unsigned seed : {1, 2, 3}) {
+      TriangleSoup tube = make_revolution([](double) { return 1; }, 0, height, 48, 4);
+      Random random(seed);
+      for (Vec3& p : tube.points) p += 0.008 * Vec3(random.bell(), random.bell(), random.bell());
+      for (const BoundaryLoop& loop : find_boundary_loops(make_surface_model(tube)))
+        EXPECT_EQ(loop.kind, LoopKind::hole) << height << ' ' << seed << ' ' << loop.onward;
+    }
 }
 
 }  // namespace

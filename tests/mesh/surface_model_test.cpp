@@ -295,18 +295,6 @@ TEST(BoundaryLoops, ThePlaneEndOfABellIsAHole) {
   EXPECT_EQ(kind_at(0.4), LoopKind::outer_rim);
 }
 
-/// However low it is, and whatever the noise of its faces.
-TEST(BoundaryLoops, BothEndsOfALowNoisyTubeAreHoles) {
-  for (const double height : {0.1, 0.3, 0.6})
-    for (const unsigned seed : {1, 2, 3}) {
-      TriangleSoup tube = make_revolution([](double) { return 1; }, 0, height, 48, 4);
-      Random random(seed);
-      for (Vec3& p : tube.points) p += 0.008 * Vec3(random.bell(), random.bell(), random.bell());
-      for (const BoundaryLoop& loop : find_boundary_loops(make_surface_model(tube)))
-        EXPECT_EQ(loop.kind, LoopKind::hole) << height << ' ' << seed << ' ' << loop.onward;
-    }
-}
-
 TEST(BoundaryLoops, TheOutlineOfAShallowPieceIsAnOuterRimAndThatOfABowlIsNot) {
   const auto cap = [](double height) {
     TriangleSoup soup = cut(make_icosphere(4), [=](const Vec3& p) { return p.z() < height; });
