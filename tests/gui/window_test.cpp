@@ -279,7 +279,8 @@ void WindowTest::whole_story(const QString& path) {
 
   // Fill.
   QTest::mouseMove(window.view().canvas(), QPoint(3, 3));
-  part<QTableWidget>(window, "seamTable");  // opens its dock: the picture changes its size
+  part<QTableWidget>(window, "seamTable");  // opens its dock: the window grows where the dock needs it, later beside other work
+  QVERIFY(wait_until([&] { return window.view().width() >= part<QDockWidget>(window, "inspectDock")->minimumSizeHint().width(); }));
   settle();
   const QImage open_picture = window.view().picture();
   const Viewpoint from = window.view().viewpoint();
