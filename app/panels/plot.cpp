@@ -102,7 +102,6 @@ void Plot::make_band(int low, int high) {
 
 /// In two columns: four words in one row would be cut off. Where two columns are too wide for a few words, in one.
 void Plot::lay_out_legend() {
-  if (key_ == Key::dropped) return;
   constexpr int most_rows = 3;
   const auto arrange = [this](int columns) {
     plot_->legend->setWrap(columns);
@@ -115,14 +114,6 @@ void Plot::lay_out_legend() {
 void Plot::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   lay_out_legend();
-}
-
-void Plot::drop_legend() {
-  key_ = Key::dropped;
-  plot_->legend->setVisible(false);
-  plot_->legend->setWrap(0);  // hidden ones take room as well: one row
-  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
-  take_colors();
 }
 
 void Plot::leave_out_of_fit(int graph) { inks_[graph].counts = false; }
@@ -169,7 +160,7 @@ void Plot::hide_marker() { plot_->item(0)->setVisible(false); }
 void Plot::show_words(const QString& words) {
   words_->setText(words);
   words_->setVisible(!words.isEmpty());
-  plot_->legend->setVisible(words.isEmpty() && key_ == Key::shown);
+  plot_->legend->setVisible(words.isEmpty());
 }
 
 void Plot::fit_axis(Side side) {
@@ -251,7 +242,7 @@ void Plot::take_colors() {
     at->grid()->setPen(QPen(faint, 1, Qt::DotLine));
     at->grid()->setZeroLinePen(QPen(faint, 1));
   }
-  plot_->xAxis->ticker()->setTickCount(key_ == Key::shown ? 6 : 3);
+  plot_->xAxis->ticker()->setTickCount(6);
   QColor sheet = ground;
   sheet.setAlpha(200);
   plot_->legend->setBrush(sheet);

@@ -38,8 +38,6 @@ class Plot : public QWidget {
   /// alone.
   void make_band(int low, int high);
   void set_name(int graph, const QString& name);  ///< empty: not in the legend
-  /// Something else says which line is which.
-  void drop_legend();
   /// Its values do not decide how far the axis reaches.
   void leave_out_of_fit(int graph);
   /// NaN breaks the line.
@@ -72,7 +70,6 @@ class Plot : public QWidget {
   QCustomPlot* plot_;
   QVector<Ink> inks_;
   QLabel* words_ = nullptr;
-  enum class Key { shown, dropped } key_ = Key::shown;
 };
 
 }  // namespace loopmend

@@ -80,7 +80,6 @@ LoopLines::LoopLines() {
 LoopLines::~LoopLines() = default;
 
 std::vector<vtkActor*> LoopLines::actors() const { return {thin_casing_, thin_core_, bold_casing_, bold_core_}; }
-std::vector<vtkActor*> LoopLines::casings() const { return {thin_casing_, bold_casing_}; }
 std::vector<vtkActor*> LoopLines::cores() const { return {thin_core_, bold_core_}; }
 
 void LoopLines::add_to(vtkRenderer* renderer) {

@@ -35,7 +35,6 @@ class LoopLines {
   ~LoopLines();
   void add_to(vtkRenderer* renderer);
   std::vector<vtkActor*> actors() const;
-  std::vector<vtkActor*> casings() const;
   std::vector<vtkActor*> cores() const;
   void set_lines(const std::vector<LoopLine>& lines);
   void set_visible(Seams seams);

@@ -124,8 +124,6 @@ class MeshView : public QWidget {
   void hole_menu_wanted(const QPoint& at);
   /// A right click on a surface. @param at  of the screen
   void piece_menu_wanted(const PieceId& piece, const QPoint& at);
-  /// A click beside everything.
-  void clicked_nothing();
   /// A picture is on the screen.
   void drawn();
   /// look() is another.

@@ -396,7 +396,9 @@ std::vector<std::vector<int>> groups_with_bores(const std::vector<BridgeEnd>& en
           }))
         group.push_back(k);
     std::ranges::sort(group);
-    if (group.size() > 2) groups.push_back(std::move(group));
+    std::vector<BridgeEnd> members;
+    for (const int k : group) members.push_back(ends[static_cast<std::size_t>(k)]);
+    if (group.size() > 2 && lie_in_one_plane(members)) groups.push_back(std::move(group));
   }
   return groups;
 }

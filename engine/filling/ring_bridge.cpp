@@ -152,6 +152,17 @@ std::optional<std::size_t> outline_of_a_ring(const std::vector<BridgeEnd>& ends)
   return outline;
 }
 
+bool lie_in_one_plane(const std::vector<BridgeEnd>& ends) {
+  constexpr double most_uneven = 0.05;  // rms distance from the plane over that along it; holes of a sheet of skull have 0.1
+  Points points;
+  for (const BridgeEnd& end : ends) points.insert(points.end(), end.points.begin(), end.points.end());
+  const Vec3 center = center_of(points);
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : points) spread += (p - center) * (p - center).transpose();
+  const Vec3 squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  return squares[0] <= most_uneven * most_uneven * squares[2];
+}
+
 bool bend_towards_each_other(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                              const std::vector<BridgeEnd>& ends) {
   const Vec3 axis = common_axis(ends);

@@ -347,30 +347,6 @@ TEST_F(PreparationCommands, AThinGapBetweenPlaneSheetsIsFilledBetweenTwoStrips) 
   EXPECT_NEAR(area, 2 + 0.03 * 0.95, 0.03 * 0.06);  // up to the strips, which end an edge beside the corners
 }
 
-TEST_F(PreparationCommands, ALoopTakesAShapeOfItsOwn) {
-  write("a.ply", cut(make_icosphere(4), [](const Vec3& p) { return std::abs(p.z()) > 0.8; }));
-  const auto heights = [&](const std::string& loops) {
-    EXPECT_EQ(fill("a.ply", "--loops " + loops).code, 0) << loops;
-    const TriangleSoup soup = read_mesh(work / "out.ply").soup;
-    double low = 0, high = 0;
-    for (const Vec3& p : soup.points) low = std::min(low, p.z()), high = std::max(high, p.z());
-    return std::pair(low, high);
-  };
-  const auto [low, high] = heights("1:flat,2:smooth");
-  const bool first_is_low = low > -0.85;
-  EXPECT_NEAR(first_is_low ? high : -low, 1, 0.01);
-  EXPECT_LT(first_is_low ? -low : high, 0.85);
-  const auto [low_of_both, high_of_both] = heights("1:flat,2:flat");
-  EXPECT_LT(std::max(-low_of_both, high_of_both), 0.85);
-  const auto [plain_low, plain_high] = heights("1,2");
-  EXPECT_NEAR(std::min(-plain_low, plain_high), 1, 0.01);
-  for (const char* wrong : {"1:round", "1:", "flat", "1:flat:2"}) {
-    const Outcome run = fill("a.ply", std::string("--loops ") + wrong);
-    EXPECT_EQ(run.code, 2) << wrong;
-  }
-  EXPECT_THAT(fill("a.ply", "--loops 1:flat --flow wf").err, HasSubstr("only with --flow mmcvf"));
-}
-
 TEST_F(PreparationCommands, LooseDebrisIsRemovedByAuto) {
   TriangleSoup ball = cut(make_icosphere(3), [](const Vec3& p) { return p.z() > 0.9; });
   for (int k = 0; k < 20; ++k) {
@@ -405,33 +381,6 @@ TEST_F(PreparationCommands, SpikesOfMissingDataAreNamedAndCut) {
               AllOf(HasSubstr("removed at 3 vertices of missing data"), HasSubstr("2 filled, 0 failed")));
   write("sound.ply", make_graph([](double x, double y) { return 400 + 0.1 * x * y; }, 5, 30));
   EXPECT_THAT(fill("sound.ply", "--cut-no-data").out, HasSubstr("--cut-no-data removed nothing"));
-}
-
-TEST_F(PreparationCommands, ABaseIsBuiltUnderTheLargestLoop) {
-  write("a.ply", trim_boundaries(cut(make_icosphere(4), [](const Vec3& p) { return p.z() < 0.3 || p.z() > 0.95; })));
-  const Outcome run = fill("a.ply", "--base 0.5 --check --report " + path("r.json"));
-  EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("A base closes loop 1"), HasSubstr("1 filled, 0 failed"),
-                             HasSubstr("Ready to print: yes")));
-  EXPECT_EQ(json::parse(test::text_of(work / "r.json"))["prepared"]["base_loop"], 1);
-  EXPECT_EQ(fill("a.ply", "--base 1:0.5").code, 0);
-  EXPECT_EQ(written().open_edges, 0U);
-  EXPECT_THAT(fill("a.ply", "--base 3:0.5").err, HasSubstr("there is no loop 3"));
-  for (const char* wrong : {"--base=0", "--base=-1", "--base=1:", "--base=x:1", "--base=1.5:1", "--base=nan"}) {
-    const Outcome refused = fill("a.ply", wrong);
-    EXPECT_EQ(refused.code, 2) << wrong;
-    EXPECT_THAT(refused.err, HasSubstr("--base takes a length")) << wrong;
-  }
-}
-
-/// A cap in the plane of the outline would cut the waves.
-TEST_F(PreparationCommands, ABaseIsNamedWhereNoPatchOfAnOutlineIsClear) {
-  write("a.ply", make_graph([](double x, double y) { return 0.1 * std::sin(9 * x) * std::cos(8 * y); }, 0.5, 24));
-  const Outcome run = fill("a.ply", "--include-outer-rim");
-  EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, HasSubstr("a base (--base) closes it below the surface"));
-  EXPECT_EQ(fill("a.ply", "--base 0.3").code, 0);
-  EXPECT_EQ(written().open_edges, 0U);
 }
 
 TEST_F(PreparationCommands, FacesWithAVertexTwiceAreNamedWithWhatRemovesThem) {
@@ -498,15 +447,6 @@ TEST_F(PreparationCommands, TilesThatAbutOrOverlapAreNamedInOneSentence) {
   EXPECT_THAT(fill("tiles.ply").out,
               HasSubstr("2 boundaries run over another part of the surface: tiles that overlap"));
   EXPECT_THAT(info("tiles.ply").out, HasSubstr("tiles that overlap"));
-}
-
-TEST_F(PreparationCommands, AllHolesAreClosedFlat) {
-  write("ball.ply", cut(make_icosphere(4), [](const Vec3& p) { return std::abs(p.z()) > 0.8; }));
-  EXPECT_EQ(fill("ball.ply", "--loops all:flat").code, 0);
-  double highest = 0;
-  for (const Vec3& p : read_mesh(work / "out.ply").soup.points) highest = std::max(highest, std::abs(p.z()));
-  EXPECT_LT(highest, 0.82);
-  EXPECT_EQ(fill("ball.ply", "--loops all:round").code, 2);
 }
 
 }  // namespace

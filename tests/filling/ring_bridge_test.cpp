@@ -236,6 +236,19 @@ TEST(RingBridge, ABlockWithBoresGetsAFaceWithHoles) {
     }
 }
 
+/// Loops of sheets with holes, as of a skull, are no rims of one missing face.
+TEST(RingBridge, LoopsThatLieInNoPlaneAreNoGroup) {
+  const auto groups_of_waves = [](double height) {
+    TriangleSoup soup = block_with_bores(2, 0);
+    for (Vec3& p : soup.points) p.z() += height * std::sin(1.5 * p.x()) * std::cos(1.5 * p.y());
+    const SurfaceModel model = make_surface_model(soup);
+    return std::ranges::count_if(find_rings(model, find_boundary_loops(model), {}),
+                                 [](const std::vector<int>& ring) { return ring.size() == 3; });
+  };
+  EXPECT_EQ(groups_of_waves(0.02), 2);
+  EXPECT_EQ(groups_of_waves(0.5), 0);
+}
+
 /// A bore that is inside out is turned, whichever loop is named first.
 TEST(RingBridge, ABoreOfABlockThatIsInsideOutIsTurned) {
   TriangleSoup soup = block_with_bores(2, 0);

@@ -16,6 +16,7 @@
 #include <QPointer>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,8 @@ class NavigationTest : public QObject {
     save_navigation(NavigationStyle::loopmend);
     save_look({});
   }
+  void the_picture_is_moved_and_asked_by_keys();
+  void sides_projection_and_zoom_to_the_cursor();
   void the_up_axis_is_up_in_every_view();
   void the_up_axis_is_kept();
   void a_click_on_the_cube_shows_that_side();
@@ -83,6 +86,64 @@ class NavigationTest : public QObject {
  private:
   QTemporaryDir folder_;
 };
+
+void NavigationTest::the_picture_is_moved_and_asked_by_keys() {
+  Shown window({sample_file(folder_)});
+  QWidget* canvas = window.view().canvas();
+  canvas->setFocus();
+  const Viewpoint first = window.view().viewpoint();
+  QTest::keyClick(canvas, Qt::Key_Left);
+  const Viewpoint turned = window.view().viewpoint();
+  QVERIFY(near(turned.focus, first.focus) && !near(turned.eye, first.eye));
+  QTest::keyClick(canvas, Qt::Key_Right, Qt::ShiftModifier);
+  const Viewpoint slid = window.view().viewpoint();
+  QVERIFY(near(slid.eye - turned.eye, slid.focus - turned.focus) && !near(slid.eye, turned.eye));
+  QTest::keyClick(canvas, Qt::Key_Left, Qt::ShiftModifier);
+  QVERIFY((window.view().viewpoint().eye - turned.eye).norm() < 1e-6 * turned.eye.norm());
+  key(window, Qt::Key_P);
+  const QString words = part<QLabel>(window, "statusFigures")->text();
+  QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
+}
+
+void NavigationTest::sides_projection_and_zoom_to_the_cursor() {
+  Shown window({sample_file(folder_)});
+  trigger(window, "lookRight");
+  const Vec3 right = towards_eye(window);
+  trigger(window, "lookLeft");
+  QVERIFY((right + towards_eye(window)).norm() < 1e-9);
+  trigger(window, "lookTop");
+  QVERIFY(std::abs(right.dot(towards_eye(window))) < 1e-9);
+
+  trigger(window, "lookFront");
+  settle();
+  const QImage perspective = window.view().picture();
+  trigger(window, "orthographic");
+  QVERIFY(picture_changes(window, perspective, 0.001));
+  trigger(window, "orthographic");
+  QVERIFY(picture_returns(window, perspective));
+
+  // What lies under the cursor stays there: only exactly so in the focal plane, which runs through the middle of the scan.
+  for (const bool orthographic : {false, true}) {
+    if (orthographic) trigger(window, "orthographic");
+    trigger(window, "lookFront");
+    settle();
+    QWidget* canvas = window.view().canvas();
+    const QPoint at(canvas->width() / 4, canvas->height() / 3);
+    const Viewpoint before = window.view().viewpoint();
+    QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(canvas, &wheel);
+    settle();
+    const Viewpoint after = window.view().viewpoint();
+    const double closer = (before.eye - before.focus).norm() / (after.eye - after.focus).norm();
+    QVERIFY2(closer > 1.05, qPrintable(QString::number(closer)));
+    // The focus moves towards the cursor: up and to the left of the picture.
+    const Vec3 side = (before.focus - before.eye).cross(before.up).normalized();
+    const Vec3 way = after.focus - before.focus;
+    QVERIFY(way.dot(side) < 0 && way.dot(before.up) > 0);
+    const double aspect = static_cast<double>(canvas->width()) / canvas->height();
+    QVERIFY(std::abs(way.dot(side) / way.dot(before.up) + 0.5 * aspect / (1.0 / 3)) < 0.05);
+  }
+}
 
 void NavigationTest::the_up_axis_is_up_in_every_view() {
   Shown window({sample_file(folder_)});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the scene is looked at: sides, zoom, keys, the legend that Frame keeps clear, ranges of colours, the clipping plane and
-// distances.
+// What the view shows: the legend that Frame keeps clear, ranges of colours, patches that are marked, the clipping plane and distances.
 #include "driver.h"
 #include "test_main.h"
 
@@ -20,7 +19,6 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +75,6 @@ class ViewTest : public QObject {
 
  private Q_SLOTS:
   void the_first_picture_is_framed();
-  void the_picture_is_moved_and_asked_by_keys();
-  void sides_projection_and_zoom_to_the_cursor();
   void the_legend_is_read_over_a_surface();
   void frame_keeps_clear_of_the_legend_data();
   void frame_keeps_clear_of_the_legend();
@@ -235,68 +231,6 @@ void ViewTest::no_line_lies_over_the_seam_that_is_judged() {
   QCOMPARE(lines(), 0.0);
   window.selection().select({});
   QVERIFY(lines() > 0.002);  // others may be found by theirs
-}
-
-void ViewTest::the_picture_is_moved_and_asked_by_keys() {
-  Shown window({sample_file(folder_)});
-  QWidget* canvas = window.view().canvas();
-  canvas->setFocus();
-  const Viewpoint first = window.view().viewpoint();
-  QTest::keyClick(canvas, Qt::Key_Left);
-  const Viewpoint turned = window.view().viewpoint();
-  QVERIFY(near(turned.focus, first.focus) && !near(turned.eye, first.eye));
-  QTest::keyClick(canvas, Qt::Key_Right, Qt::ShiftModifier);
-  const Viewpoint slid = window.view().viewpoint();
-  QVERIFY(near(slid.eye - turned.eye, slid.focus - turned.focus) && !near(slid.eye, turned.eye));
-  QTest::keyClick(canvas, Qt::Key_Left, Qt::ShiftModifier);
-  QVERIFY((window.view().viewpoint().eye - turned.eye).norm() < 1e-6 * turned.eye.norm());
-  key(window, Qt::Key_P);
-  const QString words = part<QLabel>(window, "statusFigures")->text();
-  QVERIFY2(words.contains(QStringLiteral("vertex")), qPrintable(words));
-}
-
-void ViewTest::sides_projection_and_zoom_to_the_cursor() {
-  Shown window({sample_file(folder_)});
-  const auto direction = [&] {
-    const Viewpoint from = window.view().viewpoint();
-    return Vec3((from.eye - from.focus).normalized());
-  };
-  trigger(window, "lookRight");
-  const Vec3 right = direction();
-  trigger(window, "lookLeft");
-  QVERIFY((right + direction()).norm() < 1e-9);
-  trigger(window, "lookTop");
-  QVERIFY(std::abs(right.dot(direction())) < 1e-9);
-
-  trigger(window, "lookFront");
-  settle();
-  const QImage perspective = window.view().picture();
-  trigger(window, "orthographic");
-  QVERIFY(picture_changes(window, perspective, 0.001));
-  trigger(window, "orthographic");
-  QVERIFY(picture_returns(window, perspective));
-
-  // What lies under the cursor stays there: only exactly so in the focal plane, which runs through the middle of the scan.
-  for (const bool orthographic : {false, true}) {
-    if (orthographic) trigger(window, "orthographic");
-    trigger(window, "lookFront");
-    settle();
-    QWidget* canvas = window.view().canvas();
-    const QPoint at(canvas->width() / 4, canvas->height() / 3);
-    const Viewpoint before = window.view().viewpoint();
-    QWheelEvent wheel(at, canvas->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(canvas, &wheel);
-    settle();
-    const Viewpoint after = window.view().viewpoint();
-    const double closer = (before.eye - before.focus).norm() / (after.eye - after.focus).norm();
-    QVERIFY2(closer > 1.05, qPrintable(QString::number(closer)));
-    // The focus moves towards the cursor: up and to the left of the picture.
-    const Vec3 side = (before.focus - before.eye).cross(before.up).normalized();
-    const Vec3 way = after.focus - before.focus;
-    QVERIFY(way.dot(side) < 0 && way.dot(before.up) > 0);
-    const double aspect = static_cast<double>(canvas->width()) / canvas->height();
-    QVERIFY(std::abs(way.dot(side) / way.dot(before.up) + 0.5 * aspect / (1.0 / 3)) < 0.05);
-  }
 }
 
 /// Zoomed in until the surface is all over the picture, the plate is still nearly as light as without it.
