@@ -287,12 +287,15 @@ int run_fill(const FillCommand& command) {
   SoupRecord as_read = record_of(opened.soup);
   SurfaceModel model = model_of(command.input, std::move(opened.soup),
                                 needs_whole_view(command.job) ? View::whole : View::filling, std::move(opened.survey));
+  const double read_at = seconds_since(start);
   const CancelToken cancel;
   if (command.when_stopped == FillCommand::WhenStopped::keep_finished) cancel_on_interrupt(cancel);
   const Deadline deadline(start, command.max_seconds, cancel);
   ScanPlan scan = plan_scan(std::move(as_read), std::move(model), command.job, cancel);
   TriangleSoup& soup = scan.model.soup;
+  const double planned_at = seconds_since(start);
   const std::vector<HoleResult> results = fill_and_show(scan, command, deadline, cancel);
+  const double filled_at = seconds_since(start);
   const bool stopped = cancel.cancelled();
   Outcome outcome = outcome_of(results, scan.choices);
   if (scan.done.repaired) outcome.apart = scan.done.repaired->united.left();
@@ -330,6 +333,10 @@ int run_fill(const FillCommand& command) {
     if (verdict) json["check"] = verdict_json(*verdict);
     json["stopped"] = stopped;
     json["peak_memory_mb"] = peak_memory_of_process() / (1 << 20);
+    json["stage_seconds"] = {{"reading", read_at},
+                             {"planning", planned_at - read_at},
+                             {"filling", filled_at - planned_at},
+                             {"writing", seconds - filled_at}};
     json["total_seconds"] = seconds;
   }
   commit_with_report(outputs, command.report, json);
