@@ -20,9 +20,8 @@ namespace {
 
 constexpr double sliver_angle = 5 * std::numbers::pi / 180;
 constexpr double spike_cosine = 0.5, flipped_cosine = -0.5;
-/// Mean of the unit normals around a vertex, at least: below it there is no surface to stand out of. At the end of a bar of square
-/// section it is 0.25; nine of ten spikes of a scanned head have 0.36 and more.
-constexpr double least_ground = 0.3;
+/// Cosine between triangles of one plane, but for rounding.
+constexpr double same_plane = 0.9999;
 /// What crosses is followed inward further than what is merely bad: no patch is valid beside it.
 constexpr int rounds_for_crossings = 10;
 
@@ -59,11 +58,16 @@ std::vector<int> spike_at(const SurfaceModel& model, int view_vertex) {
   if (around.empty()) return {};
   Vec3 ground = Vec3::Zero();
   for (int f : around) ground += normal_of(model, f);
-  if (ground.norm() < least_ground * static_cast<double>(around.size())) return {};
   ground.normalize();
   const bool stands =
       std::all_of(fan.begin(), fan.end(), [&](int f) { return normal_of(model, f).dot(ground) < spike_cosine; });
-  return stands ? fan : std::vector<int>{};
+  // At a corner of a coarse bar, whose sides face all directions, a side goes on in its plane.
+  const auto goes_on = [&](int f) {
+    for (const auto g : model.mesh.ff_range(TriMesh::FaceHandle(f)))
+      if (around.contains(g.idx()) && normal_of(model, f).dot(normal_of(model, g.idx())) > same_plane) return true;
+    return false;
+  };
+  return stands && std::none_of(fan.begin(), fan.end(), goes_on) ? fan : std::vector<int>{};
 }
 
 /// View faces with this edge.
