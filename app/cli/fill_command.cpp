@@ -256,7 +256,7 @@ void print_changes(std::FILE* out, const FillCommand& command, const ImportRepor
     std::fprintf(out, "%s turned round to agree with the neighbours.\n",
                  counted(turned, "face was", "faces were").c_str());
   if (scan.spared_pieces > 0)
-    std::fprintf(out, "%s not trimmed: more than a fifth of the triangles would have gone.\n",
+    std::fprintf(out, "%s not trimmed: more than a fifth of the triangles or a tenth of the area would have gone.\n",
                  counted(scan.spared_pieces, "piece of surface was", "pieces of surface were").c_str());
   if (!scan.trimmed.empty() && command.job.prepare.trim_rounds == 0)
     std::fprintf(out, "%s removed where a boundary ran through the surface.\n",

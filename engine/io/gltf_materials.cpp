@@ -222,6 +222,21 @@ GltfMaterials write_gltf_materials(const MaterialTable& table) {
   return result;
 }
 
+int GltfMaterials::without_pictures(int material) {
+  const auto known = plain_.find(material);
+  if (known != plain_.end()) return known->second;
+  Json& materials = members["materials"];
+  Json plain = materials.at(static_cast<std::size_t>(material));
+  const bool glows = plain.contains("emissiveTexture");
+  int& number = plain_[material] = material;
+  if (remove_references(plain, [](const Json&) { return true; }) == 0) return number;
+  if (glows) plain.erase("emissiveFactor");  // else all of it would glow
+  plain["name"] = plain.value("name", "material_" + std::to_string(material)) + "_without_picture";
+  number = static_cast<int>(materials.size());
+  materials.push_back(std::move(plain));
+  return number;
+}
+
 int add_painted_material(MaterialTable& table, const std::string& name, int like, std::string png) {
   ScanMaterial made;
   if (like >= 0) made = table.materials.at(static_cast<std::size_t>(like));

@@ -6,6 +6,7 @@
 #include "io/not_kept.h"
 #include "mesh/material_table.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,13 @@ struct GltfMaterials {
   nlohmann::json members;  ///< "materials", "textures", "samplers", "extensionsUsed", …; without "images"
   std::string copyright;
   std::vector<ScanPicture> images;  ///< with their bytes
+
+  /// The material for triangles without texture coordinates: itself where it has no pictures, else one of the same colour
+  /// without them, made where it is first asked for.
+  int without_pictures(int material);
+
+ private:
+  std::map<int, int> plain_;  ///< by the material that has pictures
 };
 GltfMaterials write_gltf_materials(const MaterialTable& table);
 

@@ -219,7 +219,8 @@ class GltfWriter {
     for (int& corner : corners) corner = number[static_cast<std::size_t>(corner)];
     Json json = {{"attributes", attributes(in_order, has_texture, has_normals)},
                  {"indices", indices(corners, in_order.size())}};
-    if (material >= 0) json["material"] = material;
+    const bool shows_pictures = has_texture || !point_texture_.empty();
+    if (material >= 0) json["material"] = shows_pictures ? material : materials_.without_pictures(material);
     return json;
   }
 

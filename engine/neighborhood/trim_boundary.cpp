@@ -20,6 +20,8 @@ namespace {
 
 constexpr double sliver_angle = 5 * std::numbers::pi / 180;
 constexpr double spike_cosine = 0.5, flipped_cosine = -0.5;
+/// Cosine between triangles of one plane, but for rounding.
+constexpr double same_plane = 0.9999;
 /// What crosses is followed inward further than what is merely bad: no patch is valid beside it.
 constexpr int rounds_for_crossings = 10;
 
@@ -59,7 +61,13 @@ std::vector<int> spike_at(const SurfaceModel& model, int view_vertex) {
   ground.normalize();
   const bool stands =
       std::all_of(fan.begin(), fan.end(), [&](int f) { return normal_of(model, f).dot(ground) < spike_cosine; });
-  return stands ? fan : std::vector<int>{};
+  // At a corner of a coarse bar, whose sides face all directions, a side goes on in its plane.
+  const auto goes_on = [&](int f) {
+    for (const auto g : model.mesh.ff_range(TriMesh::FaceHandle(f)))
+      if (around.contains(g.idx()) && normal_of(model, f).dot(normal_of(model, g.idx())) > same_plane) return true;
+    return false;
+  };
+  return stands && std::none_of(fan.begin(), fan.end(), goes_on) ? fan : std::vector<int>{};
 }
 
 /// View faces with this edge.
@@ -228,6 +236,13 @@ class Trimming {
         result_.loops.push_back(std::move(loop));
   }
 
+  /// What was removed, and these, by their numbers in the soup that was given.
+  std::vector<BadBoundaryFace> with_removed(const std::vector<BadBoundaryFace>& bad) const {
+    std::vector<BadBoundaryFace> all = result_.removed;
+    for (const BadBoundaryFace& face : bad) all.push_back({original_[face.face], face.fault, face.ring});
+    return all;
+  }
+
   TrimmedModel take_result() { return std::move(result_); }
 
  private:
@@ -262,35 +277,56 @@ class Trimming {
   std::set<int> cut_;          ///< those of removed triangles
 };
 
-/// How many of a soup's triangles lie in each part of its surface.
+/// How many of a soup's triangles lie in each part of its surface, and their area.
 class PartSizes {
  public:
+  struct Share {
+    double faces, area;
+  };
+
   explicit PartSizes(const SurfaceModel& model) : model_(model), part_of_(parts_of_points(model, count_)) {
-    size_.resize(static_cast<std::size_t>(count_), 0);
-    for_each_soup_triangle(model, [&](int f) { ++size_[part(f)]; });
+    size_.resize(static_cast<std::size_t>(count_));
+    for_each_soup_triangle(model, [&](int f) { size_[part(f)] += size_of(f); });
   }
   int part_at(int point) const { return part_of_[point]; }
   /// The parts of which these are more than the share.
-  std::set<int> with_more(const std::vector<BadBoundaryFace>& faces, double share) const {
-    std::map<int, double> bad;
-    for (const BadBoundaryFace& face : faces) ++bad[part(face.face)];
+  std::set<int> with_more(const std::vector<BadBoundaryFace>& faces, const Share& share) const {
+    std::map<int, Size> bad;
+    for (const BadBoundaryFace& face : faces) bad[part(face.face)] += size_of(face.face);
     std::set<int> parts;
-    for (const auto& [part, count] : bad)
-      if (count > share * size_[part]) parts.insert(part);
+    for (const auto& [part, size] : bad)
+      if (size.faces > share.faces * size_[part].faces || size.area > share.area * size_[part].area) parts.insert(part);
     return parts;
   }
   int part(int face) const { return part_at(model_.soup.triangles[face][0]); }
 
  private:
+  struct Size {
+    double faces = 0, area = 0;
+    Size& operator+=(const Size& other) {
+      faces += other.faces;
+      area += other.area;
+      return *this;
+    }
+  };
+
+  Size size_of(int face) const {
+    const auto& [a, b, c] = model_.soup.triangles[face];
+    const Points& p = model_.soup.points;
+    return {1, (p[b] - p[a]).cross(p[c] - p[a]).norm()};
+  }
+
   const SurfaceModel& model_;
   int count_ = 0;
   std::vector<int> part_of_;
-  std::vector<double> size_;
+  std::vector<Size> size_;
 };
 
-/// @param spared  parts of the surface in which nothing is taken
-TrimmedModel trimmed(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds,
-                     const PartSizes& parts, const std::set<int>& spared) {
+/// Ends once some parts have lost more than trimming takes.
+/// @param spared  parts of the surface in which nothing is taken; those parts are added
+/// @returns nothing where parts were added
+std::optional<TrimmedModel> trimmed(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds,
+                                    const PartSizes& parts, std::set<int>& spared) {
   Trimming trimming(model, loops);
   for (int round = 1; round <= (rounds > 0 ? std::max(rounds, rounds_for_crossings) : 0); ++round) {
     std::vector<BadBoundaryFace> bad;
@@ -300,6 +336,11 @@ TrimmedModel trimmed(const SurfaceModel& model, const std::vector<BoundaryLoop>&
       return spared.contains(parts.part_at(trimming.model().soup.triangles[face.face][0]));
     });
     if (bad.empty()) break;
+    const std::set<int> more = parts.with_more(trimming.with_removed(bad), {largest_trim, largest_trim_of_area});
+    if (!more.empty()) {
+      spared.insert(more.begin(), more.end());
+      return std::nullopt;
+    }
     trimming.remove(bad, round);
   }
   return trimming.take_result();
@@ -334,7 +375,7 @@ std::set<int> points_around(const SurfaceModel& model, const std::vector<Boundar
 std::vector<BadBoundaryFace> few_of_their_pieces(const SurfaceModel& model, const std::vector<BadBoundaryFace>& bad) {
   if (bad.empty()) return {};
   const PartSizes parts(model);
-  const std::set<int> coarse = parts.with_more(bad, largest_proposed_trim);
+  const std::set<int> coarse = parts.with_more(bad, {largest_proposed_trim, largest_proposed_trim});
   std::vector<BadBoundaryFace> few;
   for (const BadBoundaryFace& face : bad)
     if (!coarse.contains(parts.part(face.face))) few.push_back(face);
@@ -347,11 +388,10 @@ TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<Boundary
   const PartSizes parts(model);
   std::set<int> spared;
   for (;;) {
-    TrimmedModel result = trimmed(model, loops, rounds, parts, spared);
-    result.spared = spared.size();
-    std::set<int> more = parts.with_more(result.removed, largest_trim);
-    if (more.empty()) return result;
-    spared.merge(more);
+    std::optional<TrimmedModel> result = trimmed(model, loops, rounds, parts, spared);
+    if (!result) continue;
+    result->spared = spared.size();
+    return std::move(*result);
   }
 }
 

@@ -34,12 +34,13 @@ struct TrimmedModel {
   std::vector<BadBoundaryFace> removed;  ///< in the order of removal; numbers as in the soup that was given
   std::vector<BoundaryLoop>
       loops;               ///< those that grew out of the loops given; numbers as find_boundary_loops gives them
-  std::size_t spared = 0;  ///< pieces of surface that would have lost more than largest_trim: not trimmed at all
+  std::size_t spared = 0;  ///< pieces of surface that would have lost more than the largest shares: not trimmed at all
 };
 
-/// Trimming takes at most this share of the triangles of a piece of surface; of a coarse part it would take what is meant.
-inline constexpr double largest_trim = 0.2;
-/// More than this share is no fault of a boundary: trimming is not proposed.
+/// Trimming takes at most these shares of the triangles of a piece of surface, and of its area; of a coarse part it would take
+/// what is meant.
+inline constexpr double largest_trim = 0.2, largest_trim_of_area = 0.1;
+/// More than this share of either is no fault of a boundary: trimming is not proposed.
 inline constexpr double largest_proposed_trim = 0.05;
 
 /// Those that lie in pieces of surface of which they are not too many for trimming to be proposed.
@@ -47,7 +48,7 @@ std::vector<BadBoundaryFace> few_of_their_pieces(const SurfaceModel& model, cons
 
 /// Takes the bad triangles away, and those that cross others, then those that are bad at the new boundary, `rounds` times at most;
 /// those that cross up to ten times. A piece of surface that would lose too many is left as it is.
-/// @param rounds  0..100. @throws InvalidArgument if it is not, or if nothing would be left.
+/// @param rounds  0..100. @throws InvalidArgument if it is not.
 TrimmedModel trim_boundary(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, int rounds);
 
 /// Takes only the triangles away whose edge on a loop runs through the surface, so that no patch could be valid there, and those

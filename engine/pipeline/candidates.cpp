@@ -70,6 +70,8 @@ std::vector<LoopEnd> ends_of(const PatchProblem& problem) {
 Judge judge_for(const PatchProblem& problem, const EvolutionOptions& options, std::vector<LoopEnd> ends) {
   const bool position = options.flow == FlowKind::mcf ||
                         (options.flow == FlowKind::mmcvf && options.continuity == SeamContinuity::position);
+  const bool tangent = options.flow == FlowKind::mmcvf && options.continuity == SeamContinuity::tangent;
+  if (tangent) std::ranges::fill(ends, LoopEnd::runs_on);  // over a flat loop, a dome is what was asked for
   return {problem.initial, std::move(ends), position ? Judge::Creases::asked_for : Judge::Creases::unwanted};
 }
 

@@ -309,7 +309,9 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
   name_cures(plan, job);
   if (!plan.trimmed.empty()) plan.rim_groups.clear();  // no command finds the same loops in the file
   plan.bad_faces = bad_boundary_faces(plan.model, plan.to_trim);
-  plan.trimmable = few_of_their_pieces(plan.model, plan.bad_faces);
+  std::vector<BoundaryLoop> apart = plan.to_trim;  // stitching is the cure of the others
+  std::erase_if(apart, [&](const BoundaryLoop& loop) { return closing_edges(plan.model, loop, plan.coincident) > 0; });
+  plan.trimmable = few_of_their_pieces(plan.model, bad_boundary_faces(plan.model, apart));
   return plan;
 }
 

@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <map>
+#include <set>
 
 namespace loopmend {
 namespace {
@@ -103,6 +105,37 @@ TEST_F(BoundaryOptions, EveryBadFaceOfARaggedBoundaryIsReportedAndTrimmingSugges
   EXPECT_EQ(told, expected);
   EXPECT_EQ(report["loops"][0]["verdict"]["grade"], "good");
   EXPECT_EQ(report["exterior_unchanged"], true);
+}
+
+/// A ball torn along a zigzag of edges, the sides a few percent of an edge apart and across each other.
+TEST_F(BoundaryOptions, TrimmingIsNotSuggestedWhereStitchingIsTheCure) {
+  TriangleSoup ball = make_icosphere(4);
+  std::map<int, int> twin;
+  std::set<int> below;
+  const auto is_above = [&](const Triangle& t) {
+    return (ball.points[t[0]] + ball.points[t[1]] + ball.points[t[2]]).dot(Vec3(0.3, 0.4, 1)) > 0.5;
+  };
+  for (const Triangle& t : ball.triangles)
+    if (!is_above(t)) below.insert(t.begin(), t.end());
+  const std::vector<char> above = [&] {
+    std::vector<char> flags;
+    for (const Triangle& t : ball.triangles) flags.push_back(is_above(t) ? 1 : 0);
+    return flags;
+  }();
+  for (std::size_t f = 0; f < above.size(); ++f)
+    for (int& v : ball.triangles[f]) {
+      if (above[f] == 0 || !below.contains(v)) continue;
+      const auto [at, is_new] = twin.emplace(v, static_cast<int>(ball.points.size()));
+      if (is_new) ball.points.push_back(ball.points[v] + 0.003 * Vec3(std::sin(v), std::sin(3 * v), std::cos(5 * v)));
+      v = at->second;
+    }
+  write_mesh(ragged, ball);
+  const Outcome run = loopmend_program("fill '" + ragged.string() + "' -o '" + out.string() + "' --report -");
+  EXPECT_EQ(run.code, 1);
+  const json report = json::parse(run.out.substr(run.out.find('{')));
+  EXPECT_FALSE(report["bad_boundary_faces"].empty());
+  EXPECT_FALSE(report.contains("suggestion"));
+  EXPECT_THAT(run.out, testing::HasSubstr("--stitch"));
 }
 
 TEST_F(BoundaryOptions, ASingleVertexOffASmoothBoundaryIsToldAndNotTakenForShape) {

@@ -3,6 +3,7 @@
 #include "export/ramp.h"
 #include "export/write_scan.h"
 
+#include "io/gltf_test_support.h"
 #include "io/io_test_support.h"
 #include "io/picture_file.h"
 #include "io/texture_files.h"
@@ -39,6 +40,24 @@ const std::string obj_text =
     "mtllib skin.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 1 0 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nvn 0 "
     "0 1\n"
     "o thing\ng left\nusemtl skin\ns 1\nf 1/1/1 2/2/1 3/3/1\ng right\ns 2\nf 2/2/1 4/4/1 3/3/1\n";
+/// A face with a picture and one without, a vertex colour at some vertices alone, and what is no face.
+const std::string mixed_obj_text =
+    "mtllib skin.mtl\nv 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 5 5 5\nvt 0 0\nvt 1 0\nvt 0 1\n"
+    "usemtl skin\nf 1/1 2/2 3/3\nf 2 4 3\nusemtl of_no_face\np 5\nl 1 2\n";
+/// With what others write beside a picture: colours, a tangent, a second set of coordinates, a camera and a skin.
+std::string glb_with_colors() {
+  GltfFile file = gltf_square();
+  using F = GltfFile;
+  nlohmann::json& attributes = file.primitive()["attributes"];
+  attributes["COLOR_0"] =
+      file.add(F::packed<float>({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 1, 0.5F}), 5126, 4, "VEC4");
+  attributes["TANGENT"] = file.add(F::packed<float>({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}), 5126, 4, "VEC4");
+  attributes["TEXCOORD_1"] = file.add(F::packed<float>({0, 0, 0, 0, 0, 0, 0, 0}), 5126, 4, "VEC2");
+  attributes["_AGE"] = file.add(F::packed<float>({1, 2, 3, 4}), 5126, 4, "SCALAR");
+  file.json["asset"]["copyright"] = "A museum";
+  file.json["cameras"] = {{{"type", "perspective"}}};
+  return file.glb();
+}
 const std::string off_text =
     "STCNOFF\n4 2 0\n0 0 0 0 0 1 255 0 0 255 0 0\n1 0 0 0 0 1 0 255 0 255 1 0\n0 1 0 0 0 1 0 0 255 255 0 1\n"
     "1 1 0 0 0 1 9 9 9 255 1 1\n3 0 1 2 255 0 0\n3 1 3 2 0 0 255\n";
@@ -65,19 +84,23 @@ class FormatPairs : public ::testing::Test {
     write_bytes(folder_ / "uv.ply", ply_with_vertex_texture("texture_u", "texture_v"));
     write_bytes(folder_ / "rich.obj", obj_text);
     write_bytes(folder_ / "skin.mtl", "newmtl skin\nKd 1 1 1\nNs 10\nmap_Kd skin.png\n");
+    write_bytes(folder_ / "mixed.obj", mixed_obj_text);
+    write_bytes(folder_ / "colors.glb", glb_with_colors());
     write_bytes(folder_ / "rich.off", off_text);
     write_bytes(folder_ / "text.stl", "solid a\n" + facets_a + "endsolid\nsolid b\n" + facets_b + "endsolid\n");
     write_bytes(folder_ / "binary.stl", binary_stl());
     std::ofstream picture(folder_ / "skin.png", std::ios::binary);
     write_png(picture, ramp());
     picture.close();
-    for (const char* name : {"rich.glb", "rich.3mf"}) {
+    for (const char* name : {"rich.glb", "rich.gltf", "rich.3mf"}) {
       TriangleSoup soup = read_mesh(folder_ / "rich.obj").soup;
       write_scan(folder_ / name, soup);
     }
     if (!has_polydata()) return;
-    TriangleSoup soup = read_mesh(folder_ / "rich.ply").soup;
-    write_scan(folder_ / "rich.vtp", soup);
+    for (const char* name : {"rich.vtp", "rich.vtk"}) {
+      TriangleSoup soup = read_mesh(folder_ / "rich.ply").soup;
+      write_scan(folder_ / name, soup);
+    }
   }
 
   /// A build without VTK has none.
@@ -119,8 +142,8 @@ class FormatPairs : public ::testing::Test {
 };
 
 TEST_F(FormatPairs, NothingIsLostWithoutAWord) {
-  for (const char* from : {"rich.ply", "st.ply", "uv.ply", "rich.obj", "rich.off", "rich.glb", "rich.3mf", "text.stl",
-                           "binary.stl", "rich.vtp"})
+  for (const char* from : {"rich.ply", "st.ply", "uv.ply", "rich.obj", "mixed.obj", "rich.off", "rich.glb", "rich.gltf",
+                           "colors.glb", "rich.3mf", "text.stl", "binary.stl", "rich.vtp", "rich.vtk"})
     for (const char* to :
          {"out.ply", "out.obj", "out.off", "out.glb", "out.gltf", "out.3mf", "out.stl", "out.vtp", "out.vtk"}) {
       if (!has_polydata() && std::string(from + std::string(to)).find(".vt") != std::string::npos) continue;
@@ -141,6 +164,15 @@ TEST_F(FormatPairs, NothingIsLostWithoutAWord) {
       EXPECT_TRUE(!shows_a_picture(before) || named.contains("pictures") || shows_a_picture(after));
       std::filesystem::remove(folder_ / to);
     }
+}
+
+/// What the reader itself leaves out is counted, whatever is written later.
+TEST_F(FormatPairs, WhatTheReaderLeavesOutIsNamed) {
+  const auto left_out = [&](const char* from) { return names_in(read_mesh(folder_ / from).report.not_kept); };
+  EXPECT_EQ(left_out("mixed.obj"), (std::set<std::string>{"lines", "names of no face", "points"}));
+  EXPECT_EQ(left_out("colors.glb"),
+            (std::set<std::string>{"cameras", "vertex attributes \"TANGENT\"", "vertex attributes \"TEXCOORD_1\"",
+                                   "vertex attributes \"_AGE\""}));
 }
 
 /// What can be in a file that holds pictures is in it.
@@ -184,6 +216,24 @@ TEST_F(FormatPairs, TextureCoordinatesOfVerticesGoIntoGltf) {
         EXPECT_FLOAT_EQ(static_cast<float>(texture.values[2 * at + 1]), p.y() > 0 ? 1.0F : p.x() > 0 ? 0.25F : 0.0F);
       }
     }
+}
+
+/// glTF asks for texture coordinates wherever a material has pictures.
+TEST_F(FormatPairs, TrianglesWithoutTextureCoordinatesGetTheMaterialWithoutItsPictures) {
+  TriangleSoup soup = read_mesh(folder_ / "mixed.obj").soup;
+  write_scan(folder_ / "out.gltf", soup);
+  const nlohmann::json json = nlohmann::json::parse(read_bytes(folder_ / "out.gltf"));
+  ASSERT_EQ(json["meshes"][0]["primitives"].size(), 2U);
+  ASSERT_EQ(json["materials"].size(), 3U);
+  for (const nlohmann::json& primitive : json["meshes"][0]["primitives"]) {
+    const nlohmann::json& material = json["materials"].at(primitive["material"].get<std::size_t>());
+    const bool has_coordinates = primitive["attributes"].contains("TEXCOORD_0");
+    EXPECT_EQ(material["pbrMetallicRoughness"].contains("baseColorTexture"), has_coordinates);
+    EXPECT_EQ(material["name"], has_coordinates ? "skin" : "skin_without_picture");
+  }
+  soup = read_mesh(folder_ / "out.gltf").soup;  // once only
+  write_scan(folder_ / "again.gltf", soup);
+  EXPECT_EQ(nlohmann::json::parse(read_bytes(folder_ / "again.gltf"))["materials"].size(), 3U);
 }
 
 TEST_F(FormatPairs, APictureThatIsNotThereOrOfAnotherKindIsNamed) {

@@ -5,12 +5,15 @@
 #include "mesh/self_intersections.h"
 #include "pipeline/fill_holes.h"
 #include "pipeline/solve_group.h"
+#include "samples/analytic_surfaces.h"
 #include "support/ragged_boundaries.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -119,6 +122,49 @@ TEST(TrimBoundary, FindsASpike) {
                             Triangle{grid_vertex(4, 2), grid_vertex(5, 3), grid_vertex(4, 3)}})
     fan[face_of(soup, t)] = BoundaryFault::spike;
   EXPECT_EQ(faults_of(soup), fan);
+}
+
+/// A bent bar of square section, open at both ends: four rectangles in each of so many steps.
+TriangleSoup open_arch(int steps, double thickness) {
+  TriangleSoup soup;
+  for (int j = 0; j <= steps; ++j) {
+    const double angle = 3 * j / static_cast<double>(steps), inner = 1, outer = 1 + thickness;
+    for (const auto& [r, y] : {std::pair{inner, 0.0}, {outer, 0.0}, {outer, thickness}, {inner, thickness}})
+      soup.points.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
+  }
+  for (int j = 0; j < steps; ++j)
+    for (int k = 0; k < 4; ++k) {
+      const int a = 4 * j + k, b = 4 * j + (k + 1) % 4;
+      soup.triangles.push_back({a, b, b + 4});
+      soup.triangles.push_back({a, b + 4, a + 4});
+    }
+  return soup;
+}
+
+TEST(TrimBoundary, SeesNoSpikesAtTheEndOfACoarseBar) {
+  const TriangleSoup soup = open_arch(20, 1);
+  EXPECT_TRUE(faults_of(soup).empty());
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_TRUE(trim_boundary(model, holes_of(model), 3).removed.empty());
+}
+
+/// Each triangle of a tube of long needles is bad.
+TEST(TrimBoundary, SparesAPartThatWouldGoWhole) {
+  const SurfaceModel model = make_surface_model(make_revolution([](double) { return 1; }, 0, 20, 64, 1));
+  ASSERT_EQ(bad_boundary_faces(model, holes_of(model)).size(), 128U);
+  const TrimmedModel trimmed = trim_boundary(model, holes_of(model), 3);
+  EXPECT_TRUE(trimmed.removed.empty());
+  EXPECT_EQ(trimmed.spared, 1U);
+}
+
+/// The grid with one wide triangle of a good part of its area, which stands on one edge of the hole.
+TEST(TrimBoundary, SparesAPartThatWouldLoseMuchOfItsArea) {
+  TriangleSoup soup = holed_grid();
+  soup.points.emplace_back(4.5, 3.5, 60);
+  add(soup, {grid_vertex(4, 3), grid_vertex(5, 3), static_cast<int>(soup.points.size()) - 1});
+  const SurfaceModel model = make_surface_model(soup);
+  EXPECT_FALSE(bad_boundary_faces(model, holes_of(model)).empty());
+  EXPECT_EQ(trim_boundary(model, holes_of(model), 3).spared, 1U);
 }
 
 TEST(TrimBoundary, MendsARaggedBoundaryFaceByFace) {

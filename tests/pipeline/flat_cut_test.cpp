@@ -236,6 +236,18 @@ TEST(FlatCut, IsClosedByAPlane) {
 }
 
 /// Turned about, in other numbers of sides, with noise, in single precision: both ends of a tube are closed flat.
+TEST(FlatCut, GetsADomeWithoutAFaultWhereATangentPatchIsAskedFor) {
+  SurfaceModel model = make_surface_model(make_cylinder(3, 40));
+  FillOptions options;
+  options.evolution = EvolutionOptions();
+  options.evolution->continuity = SeamContinuity::tangent;
+  for (const HoleResult& hole : fill_holes(model, find_boundary_loops(model), options, nullptr, {})) {
+    EXPECT_NE(hole.verdict().grade, Grade::bad) << hole.verdict().message();
+    EXPECT_GT(hole.verdict().height, 0.1);
+  }
+  EXPECT_TRUE(find_boundary_loops(model).empty());
+}
+
 TEST(FlatCut, ClosesBothEndsOfAnyStraightTube) {
   constexpr double length = 2;
   int ends = 0;
