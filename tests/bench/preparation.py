@@ -105,7 +105,7 @@ def main():
         if auto["filled"] < plain["filled"]:
             harm.append(f"{scan.name}: filled {plain['filled']} → {auto['filled']}")
     print(row("all", *total))
-    print(f"\n{count} scans; {unreadable} more files gave no mesh. Worse with `--auto`: {'; '.join(harm) or 'nothing'}.")
+    print(f"\n{count} scans; {unreadable} other files gave no mesh. Worse with `--auto`: {'; '.join(harm) or 'nothing'}.")
     return 1 if harm else 0
 
 
