@@ -59,8 +59,8 @@ PAGES = {
     }),
     "reliability": (["loopmend", "fault_tests", "app_tests", "loopmend_polyhedra"], {
         "interruptions": ["{bench}/interruptions.py {bin}/loopmend --times 40"],
-        "box_faults": ["env LOOPMEND_FAULTS=100 {bin}/fault_tests --gtest_brief=1"],
-        "box_cycles": ["env LOOPMEND_CYCLES=100 QT_QPA_PLATFORM=offscreen {bin}/app_tests --gtest_brief=1 --gtest_filter=Cycles.Leave*"],
+        "box_faults": ["env LOOPMEND_FAULTS=100 {bin}/fault_tests --gtest_brief=1 --gtest_print_time=0"],
+        "box_cycles": ["env LOOPMEND_CYCLES=100 QT_QPA_PLATFORM=offscreen {bin}/app_tests --gtest_brief=1 --gtest_print_time=0 --gtest_filter=Cycles.Leave*"],
         "box_polyhedra": ["{bin}/loopmend_polyhedra --every 29"],
     }),
     "speed": (["loopmend", "loopmend_speed"], {
@@ -116,7 +116,7 @@ def run(section, commands, work):
             sys.exit(f"{output}\n{words[0]} ended with {done.returncode}")
     if table.exists():
         return table.read_text(encoding="utf-8")
-    return f"```text\n{output.strip()}\n```" if section.startswith("box_") else output
+    return f"```text\n{output.rstrip()}\n```" if section.startswith("box_") else output
 
 
 def main():
