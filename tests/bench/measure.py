@@ -48,11 +48,12 @@ PAGES = {
         "large_scans": ["{bench}/large_scans.py --programs {bin} --folder {work}"],
     }),
     "many_scans": (["loopmend", "loopmend_python"], {
-        "many_scans": ["env LOOPMEND_PROGRAM={bin}/loopmend PYTHONPATH={bin}/../python {python} {root}/python/tests/many_scans.py 60 {work}/many"],
+        "many_scans": ["env LOOPMEND_PROGRAM={bin}/loopmend PYTHONPATH={bin}/../python "
+                       "{python} {root}/python/tests/many_scans.py 60 {work}/many"],
     }),
     "real_scans": (["loopmend", "loopmend_real_scans"], {
-        "beside_meshlib": ["{bin}/loopmend_real_scans --program {bin}/loopmend --peer '{python} {bench}/peers_meshlib.py' --markdown {table} "
-                           + " ".join("{shared}/" + scan for scan in BESIDE_MESHLIB)],
+        "beside_meshlib": ["{bin}/loopmend_real_scans --program {bin}/loopmend --markdown {table} "
+                           "--peer '{python} {bench}/peers_meshlib.py' " + " ".join("{shared}/" + scan for scan in BESIDE_MESHLIB)],
         "alone": ["{bin}/loopmend_real_scans --program {bin}/loopmend --markdown {table} "
                   + " ".join("{shared}/" + scan for scan in ALONE)],
         "preparation": ["{bench}/preparation.py {bin}/loopmend {scans} {data} --largest 18 --folder {work}"],
@@ -60,7 +61,8 @@ PAGES = {
     "reliability": (["loopmend", "fault_tests", "app_tests", "loopmend_polyhedra"], {
         "interruptions": ["{bench}/interruptions.py {bin}/loopmend --times 40"],
         "box_faults": ["env LOOPMEND_FAULTS=100 {bin}/fault_tests --gtest_brief=1 --gtest_print_time=0"],
-        "box_cycles": ["env LOOPMEND_CYCLES=100 QT_QPA_PLATFORM=offscreen {bin}/app_tests --gtest_brief=1 --gtest_print_time=0 --gtest_filter=Cycles.Leave*"],
+        "box_cycles": ["env LOOPMEND_CYCLES=100 QT_QPA_PLATFORM=offscreen "
+                       "{bin}/app_tests --gtest_brief=1 --gtest_print_time=0 --gtest_filter=Cycles.Leave*"],
         "box_polyhedra": ["{bin}/loopmend_polyhedra --every 29"],
     }),
     "speed": (["loopmend", "loopmend_speed"], {
@@ -70,7 +72,8 @@ PAGES = {
     }),
     "window": (["measure_window", "loopmend_large_scans"], {
         "box_window": ["{screen} {bin}/measure_window {data}/dragon.ply {data}/bunny.ply"],
-        "box_torus": ["{bin}/loopmend_large_scans write {work}/torus.ply 14000000", "{screen} {bin}/measure_window {work}/torus.ply opening"],
+        "box_torus": ["{bin}/loopmend_large_scans write {work}/torus.ply 14000000",
+                      "{screen} {bin}/measure_window {work}/torus.ply opening"],
     }),
 }
 
@@ -109,7 +112,7 @@ def run(section, commands, work):
         if words[0].endswith(".py"):
             words.insert(0, sys.executable)
         print("==", shlex.join(words), flush=True)
-        # Accuracy by one thread each: the figures of a busy machine are those of an idle one.
+        # One thread of the BLAS, so that the figures of a busy machine are those of an idle one.
         done = subprocess.run(words, stdout=subprocess.PIPE, text=True, check=False, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
         output = done.stdout
         if done.returncode != 0:
