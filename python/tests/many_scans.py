@@ -5,7 +5,7 @@ same bits.
 
 Usage: many_scans.py COUNT FOLDER   (FOLDER must not exist; LOOPMEND_PROGRAM names the program, PYTHONPATH leads to the module)
 
-Prints a table for docs/benchmarks/many_scans.md. A way whose tool is missing is left out, and said so. test_many_scans.py runs
+Prints the table of docs/benchmarks/many_scans.md. A way whose tool is missing is left out, and said so. test_many_scans.py runs
 the same functions on few scans.
 """
 import csv
@@ -218,6 +218,12 @@ def missing(way):
     return ""
 
 
+TITLES = {
+    "batch": ("`loopmend batch --pictures none`", "a worker after a quarter, the batch itself after a third; the next run finished"),
+    "snakemake": ("the Snakemake workflow of [Workflows](../user/workflows.md)", "a worker; the next run finished"),
+    "slurm": ("the same on a Slurm cluster of one node, with the profile of that page", "a worker; its job was started again"),
+    "dask": ("the Dask example of [Python](../user/python.md#many-scans)", "a worker; Dask gave its scans to the other"),
+}
 WAYS = {"batch": fill_by_batch, "snakemake": fill_by_snakemake, "slurm": fill_by_slurm, "dask": fill_by_dask}
 
 
@@ -235,20 +241,20 @@ def assert_same(outputs, scans):
 def main():
     count, folder = int(sys.argv[1]), Path(sys.argv[2]).resolve()
     scans, outputs = folder / "scans", {}
-    print(f"{count} scans with {make_scans(scans, count)} holes")
+    print(f"{count} scans with {make_scans(scans, count)} holes:\n")
+    print("| method | scans | what was killed (`kill -9`) |\n| --- | ---: | --- |")
     for way, fill in WAYS.items():
         if reason := missing(way):
-            print(f"{way}: left out: {reason}")
+            print(f"| {TITLES[way][0]} | left out: {reason} | |")
             continue
-        begin = time.monotonic()
         try:
             outputs[way] = fill(scans, folder / way)
         except unittest.SkipTest as reason:
-            print(f"{way}: left out: {reason}")
+            print(f"| {TITLES[way][0]} | left out: {reason} | |")
             continue
-        print(f"| {way} | {len(outputs[way])} | {time.monotonic() - begin:.1f} |", flush=True)
+        print(f"| {TITLES[way][0]} | {len(outputs[way])} | {TITLES[way][1]} |", flush=True)
     assert_same(outputs, scans)
-    print("equal bits:", ", ".join(outputs))
+    print(f"\nEqual bits: {', '.join(outputs)}.")
 
 
 if __name__ == "__main__":

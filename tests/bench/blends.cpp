@@ -51,8 +51,14 @@ double worst_jump(const std::vector<SeamReport>& seams) {
 
 std::string size_text(std::size_t value) { return std::to_string(value); }
 
+constexpr double visible_crease = 5;  ///< degrees at a seam, as the message of a blend has it
+
 void run_sets(std::uint64_t first, int count) {
-  std::map<std::string, std::array<int, 3>> shares;  // finished, valid only, neither
+  struct Shares {
+    std::array<int, 3> endings{};  ///< finished, valid only, neither
+    int bent = 0, creased = 0;
+  };
+  std::map<std::string, Shares> shares;
   Table table({"seed", "tubes", "angles", "radii", "status", "free", "steps", "bending", "min angle", "jump x D", "s",
                "message"});
   for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
@@ -64,9 +70,16 @@ void run_sets(std::uint64_t first, int count) {
     const bool finished =
         result.outcome.status == PatchStatus::converged || result.outcome.status == PatchStatus::faired;
     const int ending = !valid ? 2 : finished ? 0 : 1;
+    const bool creased = std::any_of(result.outcome.seams.begin(), result.outcome.seams.end(),
+                                     [](const SeamReport& seam) { return seam.g1_rms_deg > visible_crease; });
+    const auto add = [&](Shares& group) {
+      ++group.endings[static_cast<std::size_t>(ending)];
+      group.bent += result.outcome.bending > 0;
+      group.creased += creased;
+    };
     for (const std::string& group :
          {std::string("all"), size_text(set.tubes.size()) + " tubes", set.angles + " angles", set.radii + " radii"})
-      ++shares[group][static_cast<std::size_t>(ending)];
+      add(shares[group]);
     table.add({std::to_string(seed), size_text(set.tubes.size()), set.angles, set.radii,
                to_string(result.outcome.status), number(result.outcome.patch.free_count), number(result.outcome.steps),
                number(result.outcome.bending), number(result.outcome.validity.min_angle_deg),
@@ -75,9 +88,13 @@ void run_sets(std::uint64_t first, int count) {
     std::fprintf(stderr, "seed %d: %s, %d steps\n", static_cast<int>(seed), to_string(result.outcome.status),
                  result.outcome.steps);
   }
-  Table summary({"problems", "converged or faired", "valid, not converged", "invalid or refused"});
-  for (const auto& [group, n] : shares) summary.add({group, number(n[0]), number(n[1]), number(n[2])});
-  std::printf("%s\n%s\n", summary.markdown().c_str(), table.markdown().c_str());
+  Table summary({"problems", "converged or faired", "valid, not converged", "invalid or refused", "with bending energy",
+                 "with a crease"});
+  for (const auto& [group, n] : shares)
+    summary.add(
+        {group, number(n.endings[0]), number(n.endings[1]), number(n.endings[2]), number(n.bent), number(n.creased)});
+  std::printf("%s", summary.markdown().c_str());
+  std::fprintf(stderr, "%s", table.markdown().c_str());
 }
 
 /// Every step of the flow from each of its starts.

@@ -138,7 +138,7 @@ def main():
     os.environ["LC_ALL"] = "C"
     with tempfile.TemporaryDirectory(dir=arguments.folder) as folder:
         bench = Bench(str(pathlib.Path(arguments.program).resolve()), pathlib.Path(folder), arguments.seed)
-        print(f"one fill takes {bench.seconds:.2f} s and writes {len(bench.new)} bytes")
+        print(f"One fill takes {bench.seconds:.2f} s and writes {len(bench.new)} bytes.\n")
         print("| kind | times | old file | new file | exit codes |\n| --- | ---: | ---: | ---: | --- |")
         for kind in arguments.kinds:
             seen, left = bench.run(kind, arguments.times)
@@ -152,7 +152,7 @@ def main():
             print(f"| {kind} | {arguments.times} | {by_state['old']} | {by_state['new']} | {codes} |", flush=True)
         for fault in bench.faults:
             print(fault, file=sys.stderr)
-        print(f"{len(bench.faults)} faults")
+        print(f"\n{len(bench.faults)} faults.")
         return int(bool(bench.faults))
 
 

@@ -6,7 +6,7 @@
 
 For each scan: loops that are holes and stay open, filled, failed; verdicts look and bad; open, non-manifold and reversed edges and pairs
 of triangles that intersect, as `--check` counts them in what was written; triangles of the input that are missing; processor time.
-Then what --auto makes worse, scan by scan. Exit code: 0 where that is nothing, 1 otherwise.
+Prints the scans in which one of these differs, and the sum of all; then what --auto makes worse, scan by scan. Exit code: 0 where that is nothing, 1 otherwise.
 """
 import argparse
 import json
@@ -85,7 +85,7 @@ def main():
     asked = parser.parse_args()
     work = pathlib.Path(asked.folder or tempfile.mkdtemp())
     print("| scan | " + " | ".join(FIGURES) + " | exit code | s |\n|" + " --- |" * (len(FIGURES) + 3))
-    harm, total, unreadable = [], [dict.fromkeys(FIGURES + ["code", "s"], 0) for _ in range(2)], 0
+    harm, total, count, unreadable = [], [dict.fromkeys(FIGURES + ["code", "s"], 0) for _ in range(2)], 0, 0
     for scan in scans_in(asked.folders, asked.largest):
         (plain, why), (auto, _) = fill(asked.program, scan, work, []), fill(asked.program, scan, work, ["--auto"])
         if plain is None or auto is None:
@@ -93,7 +93,9 @@ def main():
             if plain is not None:
                 harm.append(f"{scan.name}: no output with --auto")
             continue
-        print(row(scan.name, plain, auto), flush=True)
+        count += 1
+        if any(plain[key] != auto[key] for key in FIGURES + ["code"]):
+            print(row(scan.name, plain, auto), flush=True)
         for sums, one in zip(total, (plain, auto)):
             for key in sums:
                 sums[key] = round(sums[key] + one[key], 1)
@@ -103,7 +105,7 @@ def main():
         if auto["filled"] < plain["filled"]:
             harm.append(f"{scan.name}: filled {plain['filled']} → {auto['filled']}")
     print(row("all", *total))
-    print(f"{unreadable} files gave no mesh. Worse with --auto: {'; '.join(harm) or 'nothing'}")
+    print(f"\n{count} scans; {unreadable} other files gave no mesh. Worse with `--auto`: {'; '.join(harm) or 'nothing'}.")
     return 1 if harm else 0
 
 

@@ -120,7 +120,7 @@ Table summary_table(const std::vector<Row>& rows) {
 
 Table problem_table(const std::vector<Row>& rows) {
   Table table({"problem", "set", "shape", "size %", "removed", "d", "d CGAL C1", "d CGAL C2", "d k = 2", "d k = 3",
-               "score", "g1", "g2", "bending", "cuts", "folds", "exterior", "status", "s"});
+               "score", "g1", "g2", "bending", "cuts", "folds", "exterior", "status"});
   for (const Row& row : rows) {
     std::vector<std::string> cells{row.made.problem.name, row.tuning() ? "tuning" : "set aside", row.made.shape,
                                    number(100 * row.made.size), number(row.made.problem.removed)};
@@ -133,7 +133,6 @@ Table problem_table(const std::vector<Row>& rows) {
     cells.push_back(number(row.figures[0].folds));
     cells.push_back(row.ours().exterior_unchanged ? "unchanged" : "CHANGED");
     cells.push_back(row.ours().status);
-    cells.push_back(number(row.ours().seconds));
     table.add(cells);
   }
   return table;

@@ -3,7 +3,7 @@
 """Processor time of whole `loopmend fill` commands beside MeshLib's fillHoleNicely on the same holes, and where it goes.
 
 Writes a table to the standard output. Both run in turn, --runs times; medians. MeshLib's time is that of loading, filling and
-saving, without Python's own start. With --stages a second table follows: the share of each stage in the instructions of one more
+saving, without Python's own start. With --stages the table is another one: the share of each stage in the instructions of one
 run with one thread, counted by valgrind --tool=callgrind, so that it does not depend on the load. The program must have its
 symbols, and a second of processor time takes about a minute. Needs PyPI's meshlib, which is used for measuring only.
 """
@@ -151,15 +151,15 @@ def main():
     parser.add_argument("program", help="loopmend")
     parser.add_argument("scans", nargs="+", type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--stages", action="store_true", help="the second table")
+    parser.add_argument("--stages", action="store_true", help="where the time goes, instead")
     parser.add_argument("--options", default="", help="of loopmend fill, in one string")
     options = parser.parse_args()
-    table(["scan", "holes", "new vertices", "Loopmend, s", "MeshLib's holes", "its new vertices", "MeshLib, s", "ratio"],
-          (row(options.program, scan, options.runs, options.options.split()) for scan in options.scans))
     if options.stages:
-        print()
         table(["scan", "10⁹ instructions", *(f"{stage}, %" for stage in STAGES), "other, %"],
               (stage_row(options.program, scan, options.options.split()) for scan in options.scans))
+        return
+    table(["scan", "holes", "new vertices", "Loopmend, s", "MeshLib's holes", "its new vertices", "MeshLib, s", "ratio"],
+          (row(options.program, scan, options.runs, options.options.split()) for scan in options.scans))
 
 
 if __name__ == "__main__":

@@ -22,6 +22,7 @@
 #include <QTest>
 
 #include <malloc.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,6 +42,12 @@ long megabytes() {
   long pages = 0, resident = 0;
   status >> pages >> resident;
   return resident * sysconf(_SC_PAGESIZE) >> 20;
+}
+
+long peak_megabytes() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  return used.ru_maxrss >> 10;
 }
 
 /// What this thread has worked, ms: does not depend on how busy the machine is.
@@ -111,6 +118,7 @@ void measure_opening(const QString& path) {
   std::printf("a hole filled and smoothed after %.2f s\n", seconds(clock));
   linger(500);
   gaps.report("filled and smoothed");
+  std::printf("memory at the peak: %ld MB\n", peak_megabytes());
 }
 
 /// Everything at once, on a window that has just appeared: no waiting for its graphics to be ready.

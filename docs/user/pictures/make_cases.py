@@ -270,7 +270,7 @@ def owl():
     return tidy(cut(move(icosphere(5), place), lambda *p: math.dist(p, tip) < 21))
 
 
-def stone():
+def stone(strength=1, hole=0.9):
     """A rough scan."""
     chance = random.Random(7)
     waves = []
@@ -281,8 +281,8 @@ def stone():
     rough = []
     for p in points:
         h = sum(a * math.sin(sum(k * x for k, x in zip(w, p)) + f) for w, f, a in waves) + chance.gauss(0, 0.06)
-        rough.append(tuple(x + h * n for x, n in zip(p, unit(p))))
-    return tidy(cut((rough, faces), lambda x, y, z: z > 0 and ring_hole(x, y) < 0.9))
+        rough.append(tuple(x + strength * h * n for x, n in zip(p, unit(p))))
+    return tidy(cut((rough, faces), lambda x, y, z: z > 0 and ring_hole(x, y) < hole))
 
 
 def island():

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of docs/user/holes_and_options.md: kinds of loops, density, continuity; and of docs/user/first_hole.md: numbers of loops.
+"""The pictures of docs/user/holes_and_options.md: kinds of loops, density, continuity; of docs/user/which_option.md: edges, boundary,
+islands; and of docs/user/first_hole.md: numbers of loops.
 
-Usage: make_options.py PROGRAM FOLDER [NAME...]   writes option_kinds.png, option_density.png, option_continuity.png and
-                                                  first_hole_numbers.png into FOLDER, or only those of these names (such as kinds)
+Usage: make_options.py PROGRAM FOLDER [NAME...]   writes option_kinds.png, option_density.png, option_continuity.png, option_edges.png,
+                                                  option_boundary.png, option_islands.png and first_hole_numbers.png into FOLDER, or
+                                                  only those of these names (such as kinds)
 
 The models are formulas of make_cases.py. Needs NumPy, PyVista and Pillow, and xvfb-run where there is no display.
 """
 import json
+import math
 import subprocess
 import sys
 import tempfile
@@ -42,7 +45,8 @@ def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 
         plotter.add_mesh(smooth, color=SCAN, backface_params={"color": INSIDE}, **look)
     else:
         for color, part in ((SCAN, range(given)), (PATCH, range(given, mesh.n_cells))):
-            plotter.add_mesh(mesh.extract_cells(part), color=color, **look)
+            shown = mesh.extract_cells(part).extract_surface(algorithm=None)
+            plotter.add_mesh(shown.compute_normals(cell_normals=False, feature_angle=40, split_vertices=True), color=color, **look)
     extent = np.ptp(np.array(mesh.bounds).reshape(3, 2), axis=1)
     for kind, points in loops:
         plotter.add_mesh(pyvista.lines_from_points(points, close=True).tube(radius=0.007 * extent.max()), color=COLORS[kind])
@@ -58,7 +62,7 @@ def panel(mesh, view, loops=(), edges=False, up=(0, 1, 0), zoom=1.5, size=(380, 
     return image
 
 
-def sheet(images, texts, path, columns):
+def sheet(images, texts, path, columns, colors=None):
     """Captions are legible where the whole picture is 366 pixels wide, as on a telephone."""
     wide, high = images[0].size
     font = ImageFont.truetype(FONT, round(0.03 * wide * columns))
@@ -69,8 +73,8 @@ def sheet(images, texts, path, columns):
         x, y = k % columns * wide, k // columns * (high + head)
         made.paste(image, (x, y + head))
         pen.text((x + 10, y + head // 5), text, fill="#222222", font=font)
-    if "density" in path.name:  # thin lines need few colors
-        made = made.quantize(64, dither=Image.Dither.NONE)
+    if colors:
+        made = made.quantize(colors, dither=Image.Dither.NONE)
     made.save(path, optimize=True)
 
 
@@ -140,7 +144,7 @@ def density(program, folder, work):
         subprocess.run([program, "fill", work / "pebble.ply", "-o", work / "out.ply", "--quiet", "--density", str(ratio)], check=True)
         images.append(panel(surface(work / "out.ply"), (0.1, -0.2, 1.2), edges=True, zoom=2.05, given=given))
         texts.append(f"{ratio}" + (" (default)" if ratio == 1 else ""))
-    sheet(images, texts, Path(folder) / "option_density.png", 3)
+    sheet(images, texts, Path(folder) / "option_density.png", 3, colors=64)  # thin lines need few
 
 
 def continuity(program, folder, work):
@@ -156,12 +160,41 @@ def continuity(program, folder, work):
     sheet(images[:3], ["position", "tangent", "curvature (default)"], Path(folder) / "option_continuity.png", 3)
 
 
+def compare(program, work, scan, option, words, view, zoom):
+    """One panel for each word of an option; the first is the default. The patch is tinted."""
+    make_cases.write_ply(work / "scan.ply", *scan)
+    given, images, texts = surface(work / "scan.ply").n_cells, [], []
+    for word in words:
+        subprocess.run([program, "fill", work / "scan.ply", "-o", work / "out.ply", "--quiet", option, word], check=True)
+        images.append(panel(surface(work / "out.ply"), view, zoom=zoom, given=given))
+        texts.append(word + (" (default)" if not texts else ""))
+    return images, texts
+
+
+def edges(program, folder, work):
+    images, texts = compare(program, work, make_cases.block(), "--edges", ("auto", "round"), (1.2, 0.9, 1.1), 1.35)
+    sheet(images, texts, Path(folder) / "option_edges.png", 2)
+
+
+def boundary(program, folder, work):
+    images, texts = compare(program, work, make_cases.stone(2, 1.8), "--boundary", ("auto", "exact", "robust"), (0.3, -1, 0.3), 1.9)
+    sheet(images, texts, Path(folder) / "option_boundary.png", 3, colors=200)
+
+
+def islands(program, folder, work):
+    """The island is debris: a chip that lies above the surface."""
+    points, faces = make_cases.island()
+    raised = [(x, y, z + 7) if z > 0 and math.hypot(x - 6, y - 3) < 9.5 else (x, y, z) for x, y, z in points]
+    images, texts = compare(program, work, (raised, faces), "--islands", ("join", "cover"), (0.3, -1, 0.7), 1.8)
+    sheet(images, texts, Path(folder) / "option_islands.png", 2)
+
+
 def main():
     if len(sys.argv) < 3:
         raise SystemExit(__doc__)
     program, folder, *names = sys.argv[1:]
     with tempfile.TemporaryDirectory() as work:
-        for make in (kinds, density, continuity, numbers):
+        for make in (kinds, density, continuity, edges, boundary, islands, numbers):
             if not names or make.__name__ in names:
                 make(program, folder, Path(work))
 
