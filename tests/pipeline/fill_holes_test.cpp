@@ -451,8 +451,8 @@ TEST_P(FillsRealScans, ClosedManifoldOrientedUncutAndTheInputFirst) {
     const double growth =
         test::area_of(model.soup.points, patches[k]) / test::area_of(flat.soup.points, flat_patches[k]);
     EXPECT_GT(growth, 0.5);
-    // Measured: 1.37 at the tip of the head's nose, 1.48 and 2.30 at two holes in the base of the bunny, which are to be looked at.
-    EXPECT_LT(growth, worst(results[k].outcome().verdicts) == Grade::good ? 1.45 : 3);
+    // Measured: 1.37 at the tip of the head's nose; 1.48 at a hole in the base of the bunny, which is to be looked at.
+    EXPECT_LT(growth, worst(results[k].outcome().verdicts) == Grade::good ? 1.45 : 2);
   }
 }
 
