@@ -396,9 +396,7 @@ std::vector<std::vector<int>> groups_with_bores(const std::vector<BridgeEnd>& en
           }))
         group.push_back(k);
     std::ranges::sort(group);
-    std::vector<BridgeEnd> members;
-    for (const int k : group) members.push_back(ends[static_cast<std::size_t>(k)]);
-    if (group.size() > 2 && lie_in_one_plane(members)) groups.push_back(std::move(group));
+    if (group.size() > 2 && lie_in_one_plane(ends, group)) groups.push_back(std::move(group));
   }
   return groups;
 }

@@ -16,8 +16,9 @@ namespace loopmend {
 /// @param ends  at least two @returns the outline's index; empty where they are no such walls
 std::optional<std::size_t> outline_of_a_ring(const std::vector<BridgeEnd>& ends);
 
-/// Whether all loops lie in one plane but for noise, as the rims of a missing face do.
-bool lie_in_one_plane(const std::vector<BridgeEnd>& ends);
+/// Whether these loops lie in one plane but for noise, as those around a missing face do.
+/// @param group  indices into `ends`
+bool lie_in_one_plane(const std::vector<BridgeEnd>& ends, const std::vector<int>& group);
 
 /// Whether both surfaces bend towards each other before they end, as the halves of a torus do: a half circle through both loops has
 /// that curvature. Then they run on, and a ring would cut them off.
