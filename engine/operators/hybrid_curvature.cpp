@@ -18,17 +18,21 @@ namespace {
 constexpr std::size_t fewest_neighbors = 15;  ///< below, a third ring is taken
 constexpr std::size_t most_samples = 22;      ///< the nearest, the vertex itself included
 constexpr double crease =
-    40 * std::numbers::pi / 180;      ///< between normals, at which a sample has lost 63 % of its weight
-constexpr int passes = 3;             ///< each but the last turns the fit's plane to its tangent plane
-constexpr double steepest = 2;        ///< slope to which it is turned
-constexpr double ridge = 1e-7;        ///< of the normal matrix, in units of its weights
-constexpr double least_pivot = 2e-6;  ///< likewise: below, the samples do not determine a cubic
-constexpr double spread = 0.4;        ///< least distance between samples that are chosen apart, over that to the vertex
-constexpr double most_bent = 9;       ///< times the mean of ‖A‖²: more is taken for noise
+    40 * std::numbers::pi / 180;  ///< between normals, at which a sample has lost 63 % of its weight
+constexpr int passes = 3;         ///< each but the last turns the fit's plane to its tangent plane
+constexpr double steepest = 2;    ///< slope to which it is turned
+constexpr double ridge = 5e-8;    ///< of the normal matrix, in units of its weights
+constexpr double least_eigen =
+    5e-7;                        ///< bound on its eigenvalues, likewise: below, the samples do not determine a cubic
+constexpr double spread = 0.4;   ///< least distance between samples that are chosen apart, over that to the vertex
+constexpr double most_bent = 9;  ///< times the mean of ‖A‖²: more is taken for noise
 constexpr int vertices_at_a_time = 16;
 
 /// Of the height fields: xᵃ yᵇ with these powers.
 constexpr int terms = 10, x_power[] = {0, 1, 0, 2, 1, 0, 3, 2, 1, 0}, y_power[] = {0, 0, 1, 0, 1, 2, 0, 1, 2, 3};
+/// a! b! / (a + b)!: with these weights the sum of squared coefficients of each degree is the same in all frames of the plane (Bombieri's
+/// norm), and with it the ridge and the eigenvalues.
+constexpr double frame_weight[] = {1, 1, 1, 1, 1. / 2, 1, 1, 1. / 3, 1. / 3, 1};
 constexpr int lanes =
     2;  ///< vertices at which fits are made side by side: the processor's vectors hold as many everywhere
 using Lanes = Eigen::Array2d;
@@ -144,7 +148,13 @@ class Fitter {
   }
 
  private:
-  bool is_determined(int lane) const { return normal_matrix_.least_pivot(lane) > least_pivot; }
+  /// The trace of the inverse bounds the least eigenvalue from below, up to the number of terms.
+  bool is_determined(int lane) const {
+    const std::array<Lanes, terms> inverse = normal_matrix_.inverse_diagonal();
+    double trace = 0;
+    for (int i = 0; i < terms; ++i) trace += frame_weight[i] * inverse[i][lane];
+    return 1 / trace > least_eigen;
+  }
 
   /// Samples that a vertex has fewer than the other count nothing.
   void take_samples(const Points& points, const Points& normals) {
@@ -217,7 +227,7 @@ void Fitter::solve() {
   for (int i = 0; i < terms; ++i) {
 #pragma GCC unroll 10
     for (int j = 0; j <= i; ++j) A[i][j] = moments(x_power[i] + x_power[j], y_power[i] + y_power[j]);
-    A[i][i] += ridge;
+    A[i][i] += ridge * frame_weight[i];
     c_[i] = right(x_power[i], y_power[i]);
   }
   const bool any = normal_matrix_.factorize(A);

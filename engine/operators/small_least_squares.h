@@ -91,13 +91,6 @@ class SmallCholesky {
     return true;
   }
 
-  /// Of this one of several matrices.
-  double least_pivot(int which) const {
-    double greatest = 0;
-    for (const Number& inverse : inverse_) greatest = std::max(greatest, static_cast<double>(inverse[which]));
-    return 1 / (greatest * greatest);
-  }
-
   /// @param x  the right-hand side, then the solution; `size`
   void solve(Number* x) const {
 #pragma GCC unroll 10
@@ -112,6 +105,25 @@ class SmallCholesky {
       for (int k = i + 1; k < size; ++k) x[i] -= L_[k][i] * x[k];
       x[i] *= inverse_[i];
     }
+  }
+
+  /// Of the inverse.
+  std::array<Number, size> inverse_diagonal() const {
+    std::array<Number, size> diagonal, column;  // of the inverse of L
+#pragma GCC unroll 10
+    for (int j = 0; j < size; ++j) {
+      column[j] = inverse_[j];
+      diagonal[j] = column[j] * column[j];
+#pragma GCC unroll 10
+      for (int i = j + 1; i < size; ++i) {
+        Number sum = L_[i][j] * column[j];
+#pragma GCC unroll 10
+        for (int k = j + 1; k < i; ++k) sum += L_[i][k] * column[k];
+        column[i] = -sum * inverse_[i];
+        diagonal[j] += column[i] * column[i];
+      }
+    }
+    return diagonal;
   }
 
   /// Its lower triangle.

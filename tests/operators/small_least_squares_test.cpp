@@ -40,6 +40,8 @@ TEST(SmallLeastSquares, SolvesAndInverts) {
   for (int i = 0; i < 10; ++i)
     for (int j = 0; j < 10; ++j) whole(i, j) = inverse[std::max(i, j)][std::min(i, j)];
   EXPECT_LT((A * whole - Matrix10::Identity()).norm(), 1e-11);
+  const std::array<double, 10> diagonal = factors.inverse_diagonal();
+  for (int i = 0; i < 10; ++i) EXPECT_NEAR(diagonal[i], whole(i, i), 1e-11 * whole(i, i));
 }
 
 TEST(SmallLeastSquares, RefusesIndefiniteMatrices) {
