@@ -202,6 +202,8 @@ struct Candidate {
   const char* name;
   bool (*applies)(const Situation&);
   bool (*run)(const Situation&, PatchResult&);  ///< true if there is a patch
+  bool gives_way = false;                       ///< sound, but with a remark, to an alternative that is good
+  bool is_alternative = false;
 };
 
 const Candidate candidates[] = {
@@ -210,10 +212,10 @@ const Candidate candidates[] = {
     {text_to_say("initial patch over a cut"), is_cut, initial_patch},
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},
     {text_to_say("flow"), is_exact, flow},
-    {text_to_say("split flow"), is_rough, split},
+    {text_to_say("split flow"), is_rough, split, true},
     {text_to_say("sphere"), is_on_sphere, cap_of_sphere},
-    {text_to_say("robust fairing"), of_curvature, robust},
-    {text_to_say("tangent fairing"), of_curvature, tangent},
+    {text_to_say("robust fairing"), of_curvature, robust, true, true},
+    {text_to_say("tangent fairing"), of_curvature, tangent, false, true},
     {text_to_say("minimal surface"), of_lower_order, position},
 };
 
@@ -226,12 +228,15 @@ bool is_kept(const Situation& s, const PatchResult& result) {
   return found.crossings == 0 && found.folds == 0;
 }
 
-/// "split flow: 3 edges are folded by more than 150°".
+/// "split flow: 3 edges are folded by more than 150°". Of a candidate that is not good.
 Message fault_of(const Situation& s, const char* name, const PatchResult& result) {
   for (const Verdict& verdict : result.verdicts)
     if (verdict.grade == Grade::bad) return joined(say(name), ": ", verdict.message()).with_code("first_candidate_bad");
   if (s.sphere)
     return joined(say(name), ": ", say("off the sphere on which all vertices around lie")).with_code("off_sphere");
+  for (const Verdict& verdict : result.verdicts)
+    if (verdict.grade == Grade::look)
+      return joined(say(name), ": ", verdict.message()).with_code("first_candidate_remarked");
   return joined(say(name), ": ", result.message);
 }
 
@@ -265,8 +270,9 @@ PatchResult best_candidate(const Situation& s) {
   PatchResult best;
   std::vector<std::string> tried;
   Message why_not_the_first;
+  bool is_sound = false;  // the best, which gives way to a good alternative only
   for (const Candidate& candidate : candidates) {
-    if (!candidate.applies(s)) continue;
+    if (!candidate.applies(s) || (is_sound && !candidate.is_alternative)) continue;
     PatchResult result;
     result.patch = s.initial();
     tried.emplace_back(candidate.name);
@@ -277,7 +283,8 @@ PatchResult best_candidate(const Situation& s) {
       return result;
     }
     const bool kept = made && is_kept(s, result);
-    if (!kept && tried.size() == 1) why_not_the_first = fault_of(s, candidate.name, result);
+    const bool is_good = kept && worst(result.verdicts) == Grade::good;
+    if (!is_good && tried.size() == 1) why_not_the_first = fault_of(s, candidate.name, result);
     if (!made) continue;
     result.made_by = candidate.name;
     if (candidate.applies == is_cut) result.reason = reason_of_cut(s);
@@ -286,8 +293,10 @@ PatchResult best_candidate(const Situation& s) {
       result.reason = say("all vertices around lie on one sphere, off which the flow ended: the missing part of the "
                           "sphere was taken")
                           .with_code("sphere");
-    if (kept || best.made_by.empty() || faults(result.verdicts) < faults(best.verdicts)) best = std::move(result);
-    if (kept) break;
+    if (is_sound ? is_good : kept || best.made_by.empty() || faults(result.verdicts) < faults(best.verdicts))
+      best = std::move(result);
+    is_sound = is_sound || kept;
+    if (is_good || (kept && !(candidate.gives_way && is_judged(s.options) && of_curvature(s)))) break;
   }
   if (best.made_by.empty() || !is_kept(s, best)) {
     PatchResult initial = judged_initial(s.context.problem, s.options, s.context.judge);
