@@ -86,8 +86,8 @@ TEST_F(ChosenShapes, ABaseIsNamedWhereNoPatchOfAnOutlineIsClear) {
   write("a.ply", make_graph([](double x, double y) { return 0.1 * std::sin(9 * x) * std::cos(8 * y); }, 0.5, 24));
   const Outcome run = fill("a.ply", "--include-outer-rim");
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, HasSubstr("a base (--base) closes it below the surface"));
-  EXPECT_EQ(fill("a.ply", "--base 0.3").code, 0);
+  EXPECT_THAT(run.out, HasSubstr("--base 1:0.071 closes it below the surface"));
+  EXPECT_EQ(fill("a.ply", "--base 1:0.071").code, 0);
   EXPECT_EQ(watertightness(read_mesh(work / "out.ply").soup).open_edges, 0U);
 }
 
