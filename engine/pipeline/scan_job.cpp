@@ -8,6 +8,7 @@
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/filling_view.h"
+#include "pipeline/late_findings.h"
 #include "repair/zip_boundaries.h"
 
 #include <algorithm>
@@ -309,17 +310,6 @@ void check_shapes(const ScanPlan& plan, const ScanJob& job) {
         say("--loops takes flat, tangent and smooth only with --flow mmcvf and --mode steady, the defaults"));
 }
 
-/// At best look. Holes that share the patch share the new one.
-void judge_wall_end(std::size_t hole, std::vector<HoleResult>& results) {
-  const std::shared_ptr<const PatchResult> judged = results[hole].patch;
-  const auto place = static_cast<std::size_t>(results[hole].place);
-  if (!is_filled(results[hole].status) || !judged || place >= judged->verdicts.size()) return;
-  const auto patch = std::make_shared<PatchResult>(*judged);
-  add_finding(patch->verdicts[place], Grade::look, {NoticeCode::wall_ends, {}});
-  for (HoleResult& result : results)
-    if (result.patch == judged) result.patch = patch;
-}
-
 /// The surface before its holes were filled, for trials.
 AdviceTrials trials_on(const ScanPlan& plan, const FillOptions& options, const CancelToken& cancel) {
   TriangleSoup soup;
@@ -388,7 +378,7 @@ void name_rim_groups(const ScanPlan& plan, std::vector<HoleResult>& results) {
       message = joined(std::move(message), "; ", advice(group, own));
       if (several && group.kind != RimGroup::Kind::gap)
         message = joined(std::move(message), "; ", say("for several patches, repeat --loops in one command"));
-      if (group.kind == RimGroup::Kind::ring) judge_wall_end(k, results);
+      if (group.kind == RimGroup::Kind::ring) add_to_look(results, k, {NoticeCode::wall_ends, {}});
     }
 }
 
@@ -488,6 +478,7 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
   }
   if (!cancel.cancelled()) try_advice(plan, options, cancel, results);
   name_rim_groups(plan, results);
+  judge_outlines(results);
   return results;
 }
 
