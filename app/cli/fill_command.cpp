@@ -191,12 +191,14 @@ nlohmann::ordered_json faces_json(const std::vector<BadBoundaryFace>& faces) {
   return json;
 }
 
-/// Empty where every patch is good: it would not pay there.
+/// Empty where every patch is good, and where trimming cures nothing.
 std::string trim_suggestion(const FillCommand& command, const ScanPlan& scan, const Outcome& outcome) {
   if (scan.trimmable.empty() || command.job.prepare.trim_rounds > 0) return {};
   if (outcome.look + outcome.bad + outcome.failed == 0) return {};
+  if (scan.trimming_helps == ScanPlan::TrimmingHelps::no) return {};
   return counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
-         " at the boundaries; --trim-boundary 3 would remove what is bad.";
+         " at the boundaries; --trim-boundary 3 would remove what is bad" +
+         (scan.trimming_helps == ScanPlan::TrimmingHelps::yes ? "." : " (not tried).");
 }
 
 nlohmann::ordered_json fill_report(const FillCommand& command, const ImportReport& import, const ScanPlan& scan,

@@ -135,9 +135,11 @@ void print_counts(std::FILE* out, const std::vector<HoleResult>& results) {
 bool is_high(const HoleResult& r) {
   constexpr double rises = 0.05;  // diameters
   const Verdict verdict = r.verdict();
-  return is_filled(r.status) && verdict.grade == Grade::look && verdict.height > rises &&
-         std::ranges::any_of(verdict.findings, [](const Notice& finding) {
-           return finding.code == NoticeCode::high_over_loop || finding.code == NoticeCode::likely_far;
+  return is_filled(r.status) && verdict.grade == Grade::look &&
+         std::ranges::any_of(verdict.findings, [&](const Notice& finding) {
+           const bool is_high = verdict.height > rises &&
+                                (finding.code == NoticeCode::high_over_loop || finding.code == NoticeCode::likely_far);
+           return is_high || finding.code == NoticeCode::dome_over_flat_loop;
          });
 }
 

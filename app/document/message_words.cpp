@@ -48,12 +48,13 @@ const Substitute substitutes[] = {
          "Density needs less")},
     {"not enough memory for this hole: left open; a smaller density needs less",
      QT_TRANSLATE_NOOP("Message", "not enough memory for this hole: left open; a smaller Density needs less")},
-    {"removing loose fragments in its way (--repair), trimming the boundary (--trim-boundary 3) or a strip across the "
-     "hole (--bridge) may help",
-     QT_TRANSLATE_NOOP(
-         "Message",
-         "removing loose fragments in its way (Repair\u2026 in the tab Patch), Trim there or a strip across "
-         "the hole (Bridge in the tab Tools) may help")},
+    {"not tried, but may help: to remove loose fragments in its way (--repair), to trim the boundary (--trim-boundary "
+     "3), "
+     "or a strip across the hole (--bridge)",
+     QT_TRANSLATE_NOOP("Message",
+                       "not tried, but may help: to remove loose fragments in its way (Repair\u2026 in the tab Patch), "
+                       "Trim there, or a "
+                       "strip across the hole (Bridge in the tab Tools)")},
     {"a base (--base) closes it below the surface",
      QT_TRANSLATE_NOOP("Message", "a base closes it below the surface (loopmend fill --base)")},
     {"remove what crosses (--trim-crossing)",

@@ -187,7 +187,8 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
   }
   if (where_needed && has_sides_to_join(model, cancel)) options.stitch = PrepareOptions::Stitch::yes;
   if (stitches()) begin(RepairStage::stitch);
-  if (stitches() && options.stitch_tolerance.length.value_or(0) > 0) {
+  if (stitches() && options.stitch_tolerance.length.value_or(0) > 0 &&
+      !zips_whole_boundaries(model, options.stitch_tolerance)) {
     done.tiles = join_tiles(model, *options.stitch_tolerance.length, replace);
     if (done.tiles.removed_faces > 0) options.stitch_tolerance = {};  // the length was that of the tiles
   }

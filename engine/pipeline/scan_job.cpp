@@ -4,12 +4,16 @@
 #include "core/error.h"
 #include "core/system_memory.h"
 #include "mesh/loop_facing.h"
+#include "mesh/pieces.h"
 #include "neighborhood/trim_boundary.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/filling_view.h"
+#include "pipeline/late_findings.h"
+#include "repair/zip_boundaries.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
@@ -27,6 +31,12 @@ SurfaceModel model_from(const std::filesystem::path& source, TriangleSoup soup) 
   } catch (const InvalidArgument& error) {
     throw ReadError(source, error.message(), {}, say("Check the mesh in the program that made it."));
   }
+}
+
+std::vector<int> soup_points(const SurfaceModel& model, const BoundaryLoop& loop) {
+  std::vector<int> points;
+  for (const int v : loop.vertices) points.push_back(model.soup_vertex[static_cast<std::size_t>(v)]);
+  return points;
 }
 
 /// Choices among the loops of a trimmed scan: those that were chosen, as trimming left them. A small component's boundary that only
@@ -118,27 +128,68 @@ bool runs_on_towards(const SurfaceModel& model, const BoundaryLoop& loop, const 
   return 2 * towards > loop.vertices.size();
 }
 
+/// The boundaries of two parts that cross each other to and fro lie so near each other, in edges, and may be longer by their zigzag.
+constexpr double ragged_gap_in_edges = 0.5, least_of_perimeter = 0.75;
+
+/// "0.034"
+std::string in_two_digits(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", length);
+  return text;
+}
+
+std::string two_digits_above(double length) {
+  const double unit = std::pow(10, std::floor(std::log10(length)) - 1);
+  return in_two_digits(std::ceil(length / unit) * unit);
+}
+
+/// The length with which stitching zips both boundaries from end to end; empty where they are not so near, or it would not close
+/// them, or would close others than loops of gaps.
+std::string length_that_zips(const ScanPlan& plan, std::size_t k, std::size_t l, const std::set<std::size_t>& of_gaps) {
+  const BoundaryLoop &a = plan.loops[k], &b = plan.loops[l];
+  const double edge = std::max(a.perimeter / a.edges(), b.perimeter / b.edges());
+  const double distance =
+      distance_all_along(plan.model.soup.points, soup_points(plan.model, a), soup_points(plan.model, b));
+  if (!(distance > 0) || distance > ragged_gap_in_edges * edge) return {};
+  const std::string length = two_digits_above(distance);
+  const NearBoundaries near = near_boundaries(plan.model, stitch_tolerance_of(length));
+  const auto closing = [&](std::size_t loop) { return closing_edges(plan.model, plan.loops[loop], near); };
+  std::size_t expected = 0;
+  for (const std::size_t loop : of_gaps) expected += static_cast<std::size_t>(closing(loop));
+  const bool closes = closing(k) == a.edges() && closing(l) == b.edges() && near.closing.size() == expected;
+  return closes ? length : std::string();
+}
+
 /// Leaves the two boundaries of such a gap: a patch over each would close both parts beside it, one on the other.
 void leave_gaps_between_parts(ScanPlan& plan) {
   const auto may_be_side = [&](std::size_t k) {
     const bool is_open = plan.choices[k].fill || plan.loops[k].kind == LoopKind::outer_rim;
     return is_open && plan.choices[k].left == LoopChoice::Left::as_asked && !plan.at_walls[k];
   };
-  const auto agree = [&](const BoundaryLoop& a, const BoundaryLoop& b) {
+  const auto lie_in_one_place = [&](const BoundaryLoop& a, const BoundaryLoop& b) {
     const double reach = one_place * a.diameter;
-    return (a.center - b.center).norm() < reach && std::abs(a.diameter - b.diameter) < reach &&
-           runs_on_towards(plan.model, a, b) && runs_on_towards(plan.model, b, a);
+    return (a.center - b.center).norm() < reach && std::abs(a.diameter - b.diameter) < reach;
+  };
+  const auto run_on = [&](const BoundaryLoop& a, const BoundaryLoop& b) {
+    return runs_on_towards(plan.model, a, b) && runs_on_towards(plan.model, b, a);
   };
   std::set<std::size_t> sides;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t k = 0; k < plan.loops.size(); ++k)  // by falling perimeter
     for (std::size_t l = k + 1; may_be_side(k) && l < plan.loops.size(); ++l) {
-      if (plan.loops[l].perimeter < (1 - 2 * one_place) * plan.loops[k].perimeter) break;
-      if (may_be_side(l) && agree(plan.loops[k], plan.loops[l])) sides.insert({k, l});
+      const double share = plan.loops[l].perimeter / plan.loops[k].perimeter;
+      if (share < least_of_perimeter) break;
+      if (!may_be_side(l) || !lie_in_one_place(plan.loops[k], plan.loops[l])) continue;
+      pairs.emplace_back(k, l);
+      if (share >= 1 - 2 * one_place && run_on(plan.loops[k], plan.loops[l])) sides.insert({k, l});
     }
+  const auto closes = [&](const NearBoundaries& near, std::size_t k) {
+    return closing_edges(plan.model, plan.loops[k], near) > closing_share * plan.loops[k].edges();
+  };
   const auto leave = [&](const NearBoundaries& near, const auto& why) {
     std::set<std::size_t> closing;
     for (const std::size_t k : sides)
-      if (closing_edges(plan.model, plan.loops[k], near) > closing_share * plan.loops[k].edges()) closing.insert(k);
+      if (closes(near, k)) closing.insert(k);
     for (const std::size_t k : closing) {
       if (closing.size() < 2) break;
       sides.erase(k);
@@ -156,6 +207,28 @@ void leave_gaps_between_parts(ScanPlan& plan) {
       return with_cure(say("gap: another boundary lies beside it within 30 % of its edges' length"),
                        say("--stitch 30% joins them"));
     });
+  int parts = 0;
+  std::vector<int> part_of;
+  std::set<std::size_t> of_gaps;
+  for (const auto& [k, l] : pairs) of_gaps.insert({k, l});
+  if (!pairs.empty()) part_of = parts_of_points(plan.model, parts);
+  const auto part = [&](std::size_t k) { return part_of[soup_points(plan.model, plan.loops[k]).front()]; };
+  for (const auto& [k, l] : pairs) {
+    if (!may_be_side(k) || !may_be_side(l) || part(k) == part(l)) continue;
+    const bool is_crack = closes(plan.coincident, k) && closes(plan.coincident, l);
+    const std::string length = is_crack ? std::string() : length_that_zips(plan, k, l, of_gaps);
+    if (!is_crack && length.empty()) continue;
+    for (const std::size_t side : {k, l}) {
+      plan.choices[side].fill = false;
+      plan.choices[side].left = LoopChoice::Left::wide_crack;
+      plan.choices[side].why_not =
+          is_crack ? crack_message(closing_edges(plan.model, plan.loops[side], plan.coincident), plan.loops[side])
+                         .with_code("wide_crack")
+                   : with_cure(say("gap: the boundary of another part lies beside it all along"),
+                               say("--stitch %1 joins them", length))
+                         .with_code("wide_crack");
+    }
+  }
 }
 
 /// Leaves loops without a name of which --stitch would close more than half: a patch between sides that nearly touch would cross
@@ -179,6 +252,14 @@ void leave_wide_cracks(ScanPlan& plan, const ScanJob& job) {
     choice.left = LoopChoice::Left::wide_crack;
     choice.why_not = crack_message(closing, loop).with_code("wide_crack");
   }
+}
+
+/// The loops, those of gaps that --stitch closes not as what they are: they may cross, and are no tiles.
+std::vector<BoundaryLoop> without_gaps(const ScanPlan& plan) {
+  std::vector<BoundaryLoop> loops = plan.loops;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (plan.choices[k].left == LoopChoice::Left::wide_crack) loops[k].kind = LoopKind::crack;
+  return loops;
 }
 
 /// Outlines that are left, of which --stitch would close a tenth or more.
@@ -229,15 +310,59 @@ void check_shapes(const ScanPlan& plan, const ScanJob& job) {
         say("--loops takes flat, tangent and smooth only with --flow mmcvf and --mode steady, the defaults"));
 }
 
-/// At best look. Holes that share the patch share the new one.
-void judge_wall_end(std::size_t hole, std::vector<HoleResult>& results) {
-  const std::shared_ptr<const PatchResult> judged = results[hole].patch;
-  const auto place = static_cast<std::size_t>(results[hole].place);
-  if (!is_filled(results[hole].status) || !judged || place >= judged->verdicts.size()) return;
-  const auto patch = std::make_shared<PatchResult>(*judged);
-  add_finding(patch->verdicts[place], Grade::look, {NoticeCode::wall_ends, {}});
-  for (HoleResult& result : results)
-    if (result.patch == judged) result.patch = patch;
+/// The surface before its holes were filled, for trials.
+AdviceTrials trials_on(const ScanPlan& plan, const FillOptions& options, const CancelToken& cancel) {
+  TriangleSoup soup;
+  const auto points = static_cast<std::ptrdiff_t>(plan.given.points);
+  const auto triangles = static_cast<std::ptrdiff_t>(plan.given.triangles);
+  soup.points.assign(plan.model.soup.points.begin(), plan.model.soup.points.begin() + points);
+  soup.triangles.assign(plan.model.soup.triangles.begin(), plan.model.soup.triangles.begin() + triangles);
+  std::vector<std::vector<int>> chosen;
+  for (const BoundaryLoop& loop : plan.chosen()) chosen.push_back(soup_points(plan.model, loop));
+  return {std::move(soup), std::move(chosen), plan.used, options, cancel};
+}
+
+/// Whether the part of this soup point runs over another, or another over it, and was not joined to it.
+bool lies_on_a_tile(const ScanPlan& plan, int point) {
+  const std::vector<char>& is_tile = plan.tiles.overlapping.is_tile;
+  if (plan.tiles.overlapping.count == 0 || plan.used.stitch_tolerance.length) return false;
+  int parts = 0;
+  const std::vector<int> part_of = parts_of_points(plan.model, parts);
+  const int part = part_of[static_cast<std::size_t>(point)];
+  return part >= 0 && static_cast<std::size_t>(parts) == is_tile.size() && is_tile[static_cast<std::size_t>(part)] != 0;
+}
+
+/// Says of loops that failed what closes them, and whether trimming cures them and those with a bad patch. Where triangles were
+/// trimmed nothing is tried, since options run in another order then; where stitching joins the sides, that is the cure.
+void try_advice(ScanPlan& plan, const FillOptions& options, const CancelToken& cancel,
+                std::vector<HoleResult>& results) {
+  using Helps = ScanPlan::TrimmingHelps;
+  std::optional<AdviceTrials> trials;
+  int tried = 0;
+  const auto has_cure = [&](std::size_t k) {
+    return closing_edges(plan.model, plan.loops[k], plan.coincident) > 0 ||
+           std::ranges::any_of(plan.rim_groups, [&](const RimGroup& group) {
+             return std::ranges::count(group.loops, static_cast<int>(k)) > 0;
+           });
+  };
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const bool failed = is_open_for_its_shape(results[k]);
+    const bool may_trim = !plan.trimmable.empty() && plan.trimming_helps != Helps::no && plan.used.trim_rounds == 0;
+    if ((!failed && !(may_trim && results[k].verdict().grade == Grade::bad)) || has_cure(k)) continue;
+    const std::vector<int> points = soup_points(plan.model, plan.loops[k]);
+    Message& message = results[k].message;
+    if (failed && lies_on_a_tile(plan, points.front())) {
+      message = with_advice(message, say("join the parts that overlap first (--stitch %1)",
+                                         in_two_digits(plan.tiles.overlapping.distance)));
+      continue;
+    }
+    if (!trials) trials.emplace(trials_on(plan, options, cancel));
+    const bool tries = plan.trimmed.empty() && trials->are_small(points) && tried++ < most_tried_loops;
+    const std::optional<SeamContinuity> continuity = plan.choices[k].continuity;
+    if (tries && may_trim) plan.trimming_helps = trials->trimming_closes(points, continuity) ? Helps::yes : Helps::no;
+    if (failed)
+      message = with_advice(message, tries ? trials->advice(plan.loops[k], points, continuity) : trials->untried());
+  }
 }
 
 /// A patch over each loop alone leaves a wall hollow, or goes through it.
@@ -253,7 +378,7 @@ void name_rim_groups(const ScanPlan& plan, std::vector<HoleResult>& results) {
       message = joined(std::move(message), "; ", advice(group, own));
       if (several && group.kind != RimGroup::Kind::gap)
         message = joined(std::move(message), "; ", say("for several patches, repeat --loops in one command"));
-      if (group.kind == RimGroup::Kind::ring) judge_wall_end(k, results);
+      if (group.kind == RimGroup::Kind::ring) add_to_look(results, k, {NoticeCode::wall_ends, {}});
     }
 }
 
@@ -299,7 +424,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     plan.rim_groups = find_rim_groups(plan.model, plan.loops, cancel);
   plan.at_walls = are_at_walls(plan.model, plan.loops, plan.rim_groups);
   leave_wide_cracks(plan, job);
-  plan.tiles = {count_abutting(plan), find_overlapping_outlines(plan.model, plan.loops)};
+  plan.tiles = {count_abutting(plan), find_overlapping_outlines(plan.model, without_gaps(plan))};
   plan.to_trim = plan.chosen();
   if (job.prepare.trims()) {
     if (on_step) on_step({RepairStage::trim});
@@ -307,6 +432,7 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
   }
   if (job.fill.evolution) check(job.fill.evolution->edge_edits, plan.model, plan.loops);
   name_cures(plan, job);
+  plan.used = job.prepare;
   if (!plan.trimmed.empty()) plan.rim_groups.clear();  // no command finds the same loops in the file
   plan.bad_faces = bad_boundary_faces(plan.model, plan.to_trim);
   std::vector<BoundaryLoop> apart = plan.to_trim;  // stitching is the cure of the others
@@ -350,7 +476,9 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
     if (out_of_time && choice.fill && results[k].status == PatchStatus::skipped)
       results[k].message = say("not finished in the time that --max-time allows: left open").with_code("out_of_time");
   }
+  if (!cancel.cancelled()) try_advice(plan, options, cancel, results);
   name_rim_groups(plan, results);
+  judge_outlines(results);
   return results;
 }
 

@@ -10,6 +10,7 @@
 #include "pipeline/prepare.h"
 #include "pipeline/rim_groups.h"
 #include "pipeline/tile_outlines.h"
+#include "pipeline/tried_advice.h"
 #include "repair/inverted_shells.h"
 
 #include <cstddef>
@@ -46,6 +47,9 @@ struct ScanPlan {
   InvertedShells inverted;                 ///< what looks inward still
   std::vector<RimGroup> rim_groups;        ///< loops across from each other that a command joins; indices into `loops`
   std::vector<BoundaryLoop> to_trim;       ///< the loops to fill, and those that trimming left no hole
+  PrepareOptions used;                     ///< what was asked for, and what was done since the mesh needed it
+  /// Whether trimming makes every hole good that failed or has a bad patch; fill_chosen() finds out.
+  enum class TrimmingHelps { not_tried, yes, no } trimming_helps = TrimmingHelps::not_tried;
 
   std::vector<BoundaryLoop> chosen() const;
   /// Faces turned to agree with their neighbors: in the mesh as it was read, and in what was made of it.

@@ -35,8 +35,8 @@ Message why_left_open(const ScanIndex& scan, const BoundaryLoop& loop, int inter
              say("every patch that was found would cut the surface or itself, in %1 places: left open", intersections),
              "; ",
              is_outline ? say("a base (--base) closes it below the surface")
-                        : say("removing loose fragments in its way (--repair), trimming the boundary (--trim-boundary "
-                              "3) or a strip across the hole (--bridge) may help"))
+                        : say("not tried, but may help: to remove loose fragments in its way (--repair), to trim the "
+                              "boundary (--trim-boundary 3), or a strip across the hole (--bridge)"))
       .with_code("every_patch_crosses");
 }
 

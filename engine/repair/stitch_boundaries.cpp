@@ -3,8 +3,11 @@
 
 #include "core/error.h"
 #include "core/quantile.h"
+#include "mesh/loop_facing.h"
+#include "mesh/pieces.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangulate_polygon.h"
+#include "repair/zip_boundaries.h"
 
 #include <Eigen/Geometry>
 
@@ -30,6 +33,9 @@ constexpr double share_of_shortest = 0.4, no_edge = 1e-3;
 constexpr double longest_of_median = 10;
 /// Two faces that would form a crevice narrower than 30 degrees, normals to normals: bodies that touch there, not sides of a crack.
 constexpr double crevice = -0.866;
+/// Sides of a gap round a whole body: lengths and centres agree within this share, and the surfaces run on towards each other at so many
+/// vertices.
+constexpr double zipped_agree = 0.25, zipped_share = 0.6;
 
 /// A boundary edge of the soup, as it runs in its face.
 struct BoundaryEdge {
@@ -41,10 +47,12 @@ struct BoundaryEdge {
 class Stitching {
  public:
   Stitching(const SurfaceModel& model, const StitchTolerance& tolerance)
-      : soup_(model.soup),
+      : model_(model),
+        soup_(model.soup),
         tolerance_(tolerance),
         parent_(model.soup.points.size()),
-        size_(model.soup.points.size(), 0) {
+        size_(model.soup.points.size(), 0),
+        is_zipped_(model.soup.points.size(), 0) {
     std::iota(parent_.begin(), parent_.end(), 0);
     find_boundary(model);
   }
@@ -73,6 +81,11 @@ class Stitching {
     return stitched;
   }
 
+  bool zips_whole() {
+    zip_whole_boundaries();
+    return std::ranges::count(is_zipped_, 1) > 0;
+  }
+
   NearBoundaries counts() {
     NearBoundaries near;
     const Sewing sewing = sew();
@@ -85,6 +98,8 @@ class Stitching {
   }
 
  private:
+  using Sides = std::array<std::vector<int>, 3>;  ///< vertices on a face's side from each corner on
+
   void find_boundary(const SurfaceModel& model) {
     std::vector<std::vector<double>> lengths(size_.size());
     std::map<int, int> loop_of;  // of boundary halfedges
@@ -139,16 +154,87 @@ class Stitching {
     return found;
   }
 
+  struct Side {
+    BoundaryLoop loop;
+    LoopFacing facing;
+    std::vector<int> points;  ///< of the soup, in the order of the loop
+    int part = 0;             ///< of the surface
+  };
+
+  std::vector<Side> sides() const {
+    int parts = 0;
+    const std::vector<int> part_of = parts_of_points(model_, parts);
+    std::vector<Side> result;
+    if (parts < 2) return result;
+    for (const BoundaryLoop& loop : find_boundary_loops(model_)) {
+      if (loop.kind == LoopKind::cut) continue;
+      std::vector<int> points;
+      for (const int v : loop.vertices) points.push_back(model_.soup_vertex[v]);
+      if (std::set<int>(points.begin(), points.end()).size() < points.size()) continue;
+      const int part = part_of[points.front()];
+      result.push_back({loop, loop_facing(model_, loop), std::move(points), part});
+    }
+    return result;
+  }
+
+  /// Whether the surfaces beyond both would meet, as those of two layers or of the sides of a plate do not.
+  bool run_on_towards_each_other(const Side& a, const Side& b) const {
+    std::size_t opposite = 0;
+    for (std::size_t i = 0; i < a.points.size(); ++i) {
+      const auto distance = [&](int v) { return (soup_.points[v] - soup_.points[a.points[i]]).squaredNorm(); };
+      const auto nearest = std::ranges::min_element(b.points, {}, distance) - b.points.begin();
+      opposite += a.facing.conormals[i].dot(b.facing.conormals[nearest]) < 0;
+    }
+    return static_cast<double>(opposite) >= zipped_share * static_cast<double>(a.points.size());
+  }
+
+  bool may_be_zipped(const Side& a, const Side& b) const {
+    const auto mean_edge = [](const Side& side) { return side.loop.perimeter / side.loop.edges(); };
+    const double limit = reach(std::min(mean_edge(a), mean_edge(b))), agree = zipped_agree * a.loop.diameter;
+    return a.part != b.part && std::abs(a.loop.perimeter - b.loop.perimeter) < zipped_agree * a.loop.perimeter &&
+           (a.loop.center - b.loop.center).norm() < agree && std::abs(a.loop.diameter - b.loop.diameter) < agree &&
+           distance_all_along(soup_.points, a.points, b.points) <= limit && run_on_towards_each_other(a, b) &&
+           run_on_towards_each_other(b, a);
+  }
+
+  /// Boundaries of two parts that lie within the tolerance of each other all along are matched from end to end: joined pair by pair, not all
+  /// would close. Only with a tolerance that was asked for.
+  void zip_whole_boundaries() {
+    if (!tolerance_.length && tolerance_.edges <= StitchTolerance().edges) return;
+    const std::vector<Side> all = sides();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = i + 1; k < all.size(); ++k) {
+        const Side &a = all[i], &b = all[k];
+        if (is_zipped_[a.points.front()] || is_zipped_[b.points.front()] || !may_be_zipped(a, b)) continue;
+        if (const std::optional<ZippedBoundaries> zipped = zip_boundaries(soup_.points, a.points, b.points))
+          take(*zipped);
+      }
+  }
+
+  void take(const ZippedBoundaries& zipped) {
+    for (const auto& [v, w] : zipped.pairs) {
+      parent_[std::max(v, w)] = std::min(v, w);
+      is_zipped_[v] = is_zipped_[w] = 1;
+    }
+    for (const auto& [ends, on] : zipped.on_edges)
+      for (const int v : on) is_zipped_[v] = 1;
+    for (const BoundaryEdge& e : edges_) {  // in its face the edge runs the other way
+      const auto on = zipped.on_edges.find({e.to, e.from});
+      if (on != zipped.on_edges.end())
+        zipped_cuts_[e.face][static_cast<std::size_t>(e.corner)].assign(on->second.rbegin(), on->second.rend());
+    }
+  }
+
   /// The nearest pairs first; never two ends of one edge, nor by way of others, and no farther than the shortest edges of all that
   /// are joined allow.
   void join_near_vertices() {
     std::vector<std::tuple<double, int, int>> pairs;
     for (std::size_t v = 0; v < size_.size(); ++v) {
-      if (size_[v] == 0) continue;
+      if (size_[v] == 0 || is_zipped_[v]) continue;
       const Vec3 &p = soup_.points[v], box = Vec3::Constant(reach(size_[v]));
       for (int w : near(p - box, p + box)) {
         const double distance = (soup_.points[w] - p).norm();
-        if (w > static_cast<int>(v) && distance <= reach(std::min(size_[v], size_[w])))
+        if (w > static_cast<int>(v) && !is_zipped_[w] && distance <= reach(std::min(size_[v], size_[w])))
           pairs.emplace_back(distance, static_cast<int>(v), w);
       }
     }
@@ -183,7 +269,7 @@ class Stitching {
     const Vec3 along = (b - a) / length, box = Vec3::Constant(reach(length));
     std::map<double, int> on;
     for (int v : near(a.cwiseMin(b) - box, a.cwiseMax(b) + box)) {
-      if (root(v) == root(e.from) || root(v) == root(e.to) || root(v) == root(apex)) continue;
+      if (is_zipped_[v] || root(v) == root(e.from) || root(v) == root(e.to) || root(v) == root(apex)) continue;
       const Vec3 d = soup_.points[v] - a;
       // Nearer to an end it would have been joined.
       const double t = along.dot(d), limit = reach(std::min(length, size_[v])),
@@ -196,14 +282,13 @@ class Stitching {
     return vertices;
   }
 
-  using Sides = std::array<std::vector<int>, 3>;  ///< vertices on a face's side from each corner on
-
   /// The faces whose boundary edges pass boundary vertices.
   std::map<int, Sides> find_junctions() {
     std::set<std::pair<int, int>> directed;
     for (const BoundaryEdge& e : edges_) directed.insert({root(e.from), root(e.to)});
-    std::map<int, Sides> cuts;
+    std::map<int, Sides> cuts = zipped_cuts_;
     for (const BoundaryEdge& e : edges_) {
+      if (is_zipped_[e.from] && is_zipped_[e.to]) continue;
       if (directed.contains({root(e.to), root(e.from)})) continue;  // zipped already
       std::vector<int> vertices = junctions_on(e);
       if (!vertices.empty()) cuts[e.face][static_cast<std::size_t>(e.corner)] = std::move(vertices);
@@ -219,6 +304,7 @@ class Stitching {
 
   /// Joins vertices and cuts faces where that closes edges; elsewhere surfaces only pass each other.
   Sewing sew() {
+    zip_whole_boundaries();
     join_near_vertices();
     Sewing sewing = sewing_of(find_junctions());
     std::vector<char> closes(parent_.size(), 0);
@@ -238,6 +324,7 @@ class Stitching {
   bool may_meet(int k, int l) const {
     const BoundaryEdge &a = edges_[static_cast<std::size_t>(k)], &b = edges_[static_cast<std::size_t>(l)];
     const Points& p = soup_.points;
+    if (is_zipped_[a.from] && is_zipped_[a.to]) return true;
     if (a.loop == b.loop || (p[a.from] == p[b.to] && p[a.to] == p[b.from])) return true;
     const auto normal = [&](const BoundaryEdge& e) {
       const Triangle& t = soup_.triangles[e.face];
@@ -297,10 +384,13 @@ class Stitching {
     }
   }
 
+  const SurfaceModel& model_;
   const TriangleSoup& soup_;
   StitchTolerance tolerance_;
-  std::vector<int> parent_;   // of soup points
-  std::vector<double> size_;  // length of the boundary edges at each; 0 where there are none
+  std::vector<int> parent_;      // of soup points
+  std::vector<double> size_;     // length of the boundary edges at each; 0 where there are none
+  std::vector<char> is_zipped_;  // per soup point
+  std::map<int, Sides> zipped_cuts_;
   std::vector<BoundaryEdge> edges_;
   std::set<std::pair<int, int>> neighbors_;  // ends of boundary edges
   PointTree tree_;
@@ -318,6 +408,11 @@ void check(const StitchTolerance& tolerance) {
 StitchedSurface stitch_boundaries(const SurfaceModel& model, const StitchTolerance& tolerance) {
   check(tolerance);
   return Stitching(model, tolerance).result();
+}
+
+bool zips_whole_boundaries(const SurfaceModel& model, const StitchTolerance& tolerance) {
+  check(tolerance);
+  return Stitching(model, tolerance).zips_whole();
 }
 
 NearBoundaries near_boundaries(const SurfaceModel& model, const StitchTolerance& tolerance) {

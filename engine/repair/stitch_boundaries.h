@@ -24,7 +24,8 @@ struct StitchedSurface {
 };
 
 /// How near vertices must be to be joined. Edges of different boundaries whose faces would form a crevice narrower than 30 degrees are not,
-/// unless they lie on each other: bodies touch there.
+/// unless they lie on each other: bodies touch there. With a length, or a larger share than the default, boundaries of two parts that
+/// lie within it of each other all along are zipped from end to end.
 struct StitchTolerance {
   double edges = 0.1;            ///< 0..0.4, in lengths of the boundary edges there, but at most ten medians of all
   std::optional<double> length;  ///< at least 0, in mesh units, in place of that
@@ -32,6 +33,9 @@ struct StitchTolerance {
 
 /// @throws InvalidArgument if the tolerance is out of its range.
 StitchedSurface stitch_boundaries(const SurfaceModel& model, const StitchTolerance& tolerance = {});
+
+/// Whether it zips boundaries of two parts from end to end. @throws InvalidArgument if the tolerance is out of its range.
+bool zips_whole_boundaries(const SurfaceModel& model, const StitchTolerance& tolerance);
 
 /// What stitching would do.
 struct NearBoundaries {

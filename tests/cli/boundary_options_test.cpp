@@ -130,7 +130,9 @@ TEST_F(BoundaryOptions, TrimmingIsNotSuggestedWhereStitchingIsTheCure) {
       v = at->second;
     }
   write_mesh(ragged, ball);
-  const Outcome run = loopmend_program("fill '" + ragged.string() + "' -o '" + out.string() + "' --report -");
+  const std::string fill = "fill '" + ragged.string() + "' -o '" + out.string() + "' --report -";
+  EXPECT_THAT(loopmend_program(fill).out, testing::HasSubstr("--stitch joins them"));
+  const Outcome run = loopmend_program(fill + " --loops 1,2");
   EXPECT_EQ(run.code, 1);
   const json report = json::parse(run.out.substr(run.out.find('{')));
   EXPECT_FALSE(report["bad_boundary_faces"].empty());

@@ -21,6 +21,7 @@ namespace {
 using test::Outcome;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using json = nlohmann::json;
 
 class ChosenShapes : public test::ProgramTest {
@@ -86,9 +87,38 @@ TEST_F(ChosenShapes, ABaseIsNamedWhereNoPatchOfAnOutlineIsClear) {
   write("a.ply", make_graph([](double x, double y) { return 0.1 * std::sin(9 * x) * std::cos(8 * y); }, 0.5, 24));
   const Outcome run = fill("a.ply", "--include-outer-rim");
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, HasSubstr("a base (--base) closes it below the surface"));
-  EXPECT_EQ(fill("a.ply", "--base 0.3").code, 0);
+  EXPECT_THAT(run.out, HasSubstr("--base 1:0.071 closes it below the surface"));
+  EXPECT_EQ(fill("a.ply", "--base 1:0.071").code, 0);
   EXPECT_EQ(watertightness(read_mesh(work / "out.ply").soup).open_edges, 0U);
+}
+
+/// An arch of teeth as scans of jaws have it, open below and at both ends: long, and nearly plane at its outline.
+TriangleSoup jaw() {
+  constexpr int along = 60, across = 12;
+  TriangleSoup soup;
+  for (int k = 0; k < along; ++k)
+    for (int i = 0; i < across; ++i) {
+      const double angle = -3 + 6.0 * k / (along - 1), side = -1 + 2.0 * i / (across - 1), radius = 3 + 0.7 * side;
+      soup.points.emplace_back(radius * std::cos(angle), 1.3 * radius * std::sin(angle), 0.9 * (1 - std::pow(side, 4)));
+    }
+  for (int k = 0; k + 1 < along; ++k)
+    for (int i = 0; i + 1 < across; ++i) {
+      const int a = k * across + i, b = a + across;
+      soup.triangles.push_back({a, a + 1, b + 1});
+      soup.triangles.push_back({a, b + 1, b});
+    }
+  for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
+  return soup;
+}
+
+TEST_F(ChosenShapes, ADomeBelowAJawIsToLookAtAndFlatIsNamed) {
+  write("a.ply", jaw());
+  const Outcome run = fill("a.ply", "--include-outer-rim");
+  EXPECT_THAT(run.out, HasSubstr("diameters high over a flat loop"));
+  EXPECT_THAT(run.out, HasSubstr("--loops 1:flat closes it flat"));
+  const Outcome flat = fill("a.ply", "--loops 1:flat");
+  EXPECT_EQ(flat.code, 0) << flat.out;
+  EXPECT_THAT(flat.out, Not(HasSubstr("over a flat loop")));
 }
 
 }  // namespace

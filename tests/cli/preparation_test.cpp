@@ -16,6 +16,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace loopmend {
@@ -117,6 +118,40 @@ TEST_F(PreparationCommands, AGapBetweenTwoHalvesNamesItsTolerance) {
   // The ends of a short tube are as near to each other, and each is a hole.
   write("b.ply", make_revolution([](double) { return 1.0; }, 0, 0.1, 12, 1));
   EXPECT_THAT(fill("b.ply").out, HasSubstr("2 filled"));
+}
+
+/// The sides of the gap cross each other to and fro by a quarter of the edges: neither lies beside the other.
+TEST_F(PreparationCommands, ARaggedGapNamesALengthThatClosesIt) {
+  TriangleSoup ball = make_icosphere(4);
+  const std::size_t given = ball.points.size();
+  std::map<int, int> twin;
+  std::set<int> below;
+  const auto is_above = [&](const Triangle& t) {
+    return (ball.points[t[0]] + ball.points[t[1]] + ball.points[t[2]]).dot(Vec3(0.3, 0.4, 1)) > 0.5;
+  };
+  std::vector<char> above;
+  for (const Triangle& t : ball.triangles) {
+    above.push_back(is_above(t) ? 1 : 0);
+    if (!is_above(t)) below.insert(t.begin(), t.end());
+  }
+  for (std::size_t f = 0; f < above.size(); ++f)
+    for (int& v : ball.triangles[f]) {
+      if (above[f] == 0 || !below.contains(v)) continue;
+      const auto [at, is_new] = twin.emplace(v, static_cast<int>(ball.points.size()));
+      if (is_new)  // edges of 0.07
+        ball.points.push_back(ball.points[v] +
+                              0.018 * Vec3(std::sin(v), std::sin(3 * v), std::cos(5 * v)).normalized());
+      v = at->second;
+    }
+  ASSERT_GT(ball.points.size(), given + 50);
+  write("a.ply", ball);
+  const Outcome run = fill("a.ply");
+  EXPECT_EQ(run.code, 1);
+  const std::size_t at = run.out.find("--stitch 0.0");
+  ASSERT_NE(at, std::string::npos) << run.out;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("lies beside it all along"), Not(HasSubstr("tiles"))));
+  EXPECT_EQ(fill("a.ply", run.out.substr(at, run.out.find(' ', at + 9) - at)).code, 0);
+  EXPECT_EQ(written().open_edges, 0U);
 }
 
 TEST_F(PreparationCommands, StitchTakesATolerance) {
