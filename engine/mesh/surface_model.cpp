@@ -9,6 +9,8 @@
 #include "mesh/vertex_fans.h"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -42,10 +44,11 @@ std::vector<char> used_points(const TriangleSoup& soup, const FlatView& view, Mo
   return used;
 }
 
-/// Adds the points that are wanted and the triangles between them. @returns their view vertices; −1: none
-template <class Wanted>
+/// Adds the points that are wanted and the triangles between them. @param point  that stands for a point of the view
+/// @returns their view vertices; −1: none
+template <class Point, class Wanted>
 std::vector<int> add_faces(const TriangleSoup& soup, const FlatView& view, const std::vector<char>& points,
-                           const Wanted& is_wanted, SurfaceModel& model) {
+                           const Point& point, const Wanted& is_wanted, SurfaceModel& model) {
   std::vector<int> view_of(view.origin.size(), -1);
   for (std::size_t v = 0; v < view.origin.size(); ++v) {
     if (!points[v]) continue;
@@ -54,7 +57,7 @@ std::vector<int> add_faces(const TriangleSoup& soup, const FlatView& view, const
   }
   const Triangles& triangles = view.all(soup);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const Triangle& t = triangles[k];
+    const Triangle t{point(triangles[k][0]), point(triangles[k][1]), point(triangles[k][2])};
     if (!is_wanted(t)) continue;
     const auto face =
         model.mesh.add_face(VertexHandle(view_of[t[0]]), VertexHandle(view_of[t[1]]), VertexHandle(view_of[t[2]]));
@@ -67,9 +70,9 @@ std::vector<int> add_faces(const TriangleSoup& soup, const FlatView& view, const
 
 /// The same, and joins copies of points where that makes simpler loops.
 template <class Wanted>
-std::vector<int> add_surface(const TriangleSoup& soup, FlatView& view, std::vector<char> points,
+std::vector<int> add_surface(const TriangleSoup& soup, const FlatView& view, std::vector<char> points,
                              const Wanted& is_wanted, SurfaceModel& model) {
-  std::vector<int> view_of = add_faces(soup, view, points, is_wanted, model);
+  std::vector<int> view_of = add_faces(soup, view, points, std::identity(), is_wanted, model);
   if (!view.is_split) return view_of;
   std::vector<int> point_of(model.mesh.n_vertices());
   for (std::size_t v = 0; v < view_of.size(); ++v)
@@ -80,13 +83,11 @@ std::vector<int> add_surface(const TriangleSoup& soup, FlatView& view, std::vect
     const auto found = parted.joined.find(v);
     return found == parted.joined.end() ? v : found->second;
   };
-  for (Triangle& t : view.triangles)
-    for (int& v : t) v = point(v);
   for (const auto& [copy, first] : parted.joined) points[copy] = 0;
   model.mesh.clear();
   model.soup_vertex.clear();
   model.soup_face.clear();
-  view_of = add_faces(soup, view, points, is_wanted, model);
+  view_of = add_faces(soup, view, points, point, is_wanted, model);
   const auto edge = [&](int from, int to) {
     return model.mesh.find_halfedge(VertexHandle(view_of[point(from)]), VertexHandle(view_of[point(to)]));
   };
@@ -148,10 +149,12 @@ void describe_beyond(const TriangleSoup& soup, const FlatView& view, const std::
 }
 
 /// @param model  with its repairs
-SurfaceModel view_around(TriangleSoup soup, FlatView view, const AroundLoops& around, SurfaceModel model) {
+SurfaceModel view_around(TriangleSoup soup, std::shared_ptr<const FlatView> flat, const AroundLoops& around,
+                         SurfaceModel model) {
+  const FlatView& view = *flat;
   SurfaceBeyond beyond;
-  if (view.is_split) beyond.flat = std::make_shared<const FlatView>(view);
-  model.turned_faces = std::move(view.turned_faces);
+  if (view.is_split) beyond.flat = flat;
+  model.turned_faces = view.turned_faces;
   std::vector<char> points;
   std::vector<unsigned char> ring;
   parallel_invoke([&] { beyond.piece_of_point = components(view.all(soup), view.origin.size()); },
@@ -206,16 +209,15 @@ std::shared_ptr<const SurfaceModel> make_shared_surface_model(TriangleSoup soup,
 SurfaceModel make_view_around_loops(TriangleSoup soup, const AroundLoops& around, std::optional<VertexSurvey> survey) {
   if (!survey) check_indices(soup);
   SurfaceModel model;
-  FlatView view = flat_view(soup, std::move(survey), model.repairs);
-  return view_around(std::move(soup), std::move(view), around, std::move(model));
+  auto flat = std::make_shared<const FlatView>(flat_view(soup, std::move(survey), model.repairs));
+  return view_around(std::move(soup), std::move(flat), around, std::move(model));
 }
 
 SurfaceModel with_view_around(SurfaceModel model, const AroundLoops& around) {
   if (!model.beyond || !model.beyond->flat) return make_view_around_loops(as_read(std::move(model)), around);
-  const std::shared_ptr<const FlatView> flat = std::move(model.beyond->flat);
   SurfaceModel other;
   other.repairs = model.repairs;
-  return view_around(std::move(model.soup), *flat, around, std::move(other));
+  return view_around(std::move(model.soup), std::move(model.beyond->flat), around, std::move(other));
 }
 
 TriangleSoup as_read(SurfaceModel model) {

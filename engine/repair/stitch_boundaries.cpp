@@ -101,8 +101,8 @@ class Stitching {
   using Sides = std::array<std::vector<int>, 3>;  ///< vertices on a face's side from each corner on
 
   void find_boundary(const SurfaceModel& model) {
-    std::vector<std::vector<double>> lengths(size_.size());
-    std::map<int, int> loop_of;  // of boundary halfedges
+    std::map<int, std::vector<double>> lengths;  // of the edges at each boundary vertex
+    std::map<int, int> loop_of;                  // of boundary halfedges
     for (const auto h : model.mesh.halfedges()) {
       if (!model.mesh.is_boundary(h)) continue;
       for (auto next = h; loop_of.emplace(next.idx(), h.idx()).second;) next = model.mesh.next_halfedge_handle(next);
@@ -121,13 +121,12 @@ class Stitching {
       for (int v : {from, to}) lengths[v].push_back(length);
     }
     std::vector<double> all;
-    for (const std::vector<double>& here : lengths) all.insert(all.end(), here.begin(), here.end());
+    for (const auto& [v, here] : lengths) all.insert(all.end(), here.begin(), here.end());
     const double longest = longest_of_median * median(std::move(all));
     std::vector<std::pair<TreePoint, int>> entries;
-    for (std::size_t v = 0; v < size_.size(); ++v) {
-      if (lengths[v].empty()) continue;
-      size_[v] = std::min(size_of(lengths[v]), longest);
-      entries.emplace_back(tree_point(soup_.points[v]), static_cast<int>(v));
+    for (const auto& [v, here] : lengths) {
+      size_[v] = std::min(size_of(here), longest);
+      entries.emplace_back(tree_point(soup_.points[v]), v);
     }
     tree_ = PointTree(entries);
   }
