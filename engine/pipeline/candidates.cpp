@@ -313,6 +313,13 @@ PatchResult best_candidate(const Situation& s) {
   return best;
 }
 
+/// With the surface around it.
+bool lies_on_sphere(const Patch& patch) {
+  if (patch.loops.size() != 1) return false;
+  const std::optional<Sphere> sphere = sphere_around(patch);
+  return sphere && distance_from(*sphere, patch) <= off_sphere;
+}
+
 }  // namespace
 
 PatchResult initial_result(const PatchProblem& problem, FlowKind flow) {
@@ -336,19 +343,8 @@ void expect_deviation(const EvolutionOptions& options, const CancelToken& cancel
       (result.method == Method::flow || result.method == Method::split_flow || result.method == Method::robust_fairing);
   if (!is_calibrated || result.verdicts.empty()) return;
   result.deviation = expected_deviation(result.patch, result.seams, result.seams_before, cancel);
-  judge_deviation(result.patch, result.deviation, result.verdicts);
+  if (!lies_on_sphere(result.patch)) judge_deviation(result.patch, result.deviation, result.verdicts);
 }
-
-namespace {
-
-/// With the surface around it.
-bool lies_on_sphere(const PatchProblem& problem, const PatchResult& result) {
-  if (problem.loops.size() != 1) return false;
-  const std::optional<Sphere> sphere = sphere_around(problem.initial);
-  return sphere && distance_from(*sphere, result.patch) <= off_sphere;
-}
-
-}  // namespace
 
 PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                         const CancelToken& cancel) {
@@ -420,7 +416,7 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     result.reason = joined(std::move(missing), "; ", std::move(result.reason));
   judge_edges(situation, edits, result);
   if (!is_judged(options) && !result.verdicts.empty() && worst(result.verdicts) == Grade::bad &&
-      lies_on_sphere(problem, result))
+      lies_on_sphere(result.patch))
     result.verdicts = judge.expecting_known_surface()(result.patch, result.validity, result.seams);
   if (cancel.cancelled()) result.status = PatchStatus::cancelled;
   return result;

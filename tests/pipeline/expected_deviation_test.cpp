@@ -101,6 +101,13 @@ TEST(ExpectedDeviation, OnASphereTheBoundHolds) {
   EXPECT_LT(std::sqrt(squares), hole.deviation().half);
 }
 
+/// Most of the sphere is missing, but all vertices around lie on it: there is nothing to look at.
+TEST(ExpectedDeviation, IsNoRemarkOnASphere) {
+  const HoleResult hole = filled(cut(make_icosphere(4), [](const Vec3& p) { return p.z() > -0.6; }));
+  EXPECT_GT(hole.deviation().likely, 0.05 * hole.loop.diameter);
+  EXPECT_EQ(hole.verdict().grade, Grade::good);
+}
+
 /// A fairing of second order differs much from a cap over half a sphere, and little from a shallow one.
 TEST(ExpectedDeviation, IsLargerForAnOpeningThatLeavesLess) {
   const auto share = [](double height) {
