@@ -30,20 +30,22 @@ constexpr Page pages[] = {
     {"files", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "Files, sessions, recovery")},
     {"problems", QT_TRANSLATE_NOOP("loopmend::HelpWindow", "When something goes wrong")}};
 
-/// In the language of the window; English where a page has not been translated.
-QString page_file(const QString& name) {
+/// A page or picture in the language of the window; English where it has not been translated.
+QString help_file(const QString& name) {
   const QString language = QLocale().name().section(QLatin1Char('_'), 0, 0);
-  const QString translated = QStringLiteral(":/help/%1/%2.md").arg(language, name);
-  return QFile::exists(translated) ? translated : QStringLiteral(":/help/%1.md").arg(name);
+  const QString translated = QStringLiteral(":/help/%1/%2").arg(language, name);
+  return QFile::exists(translated) ? translated : QStringLiteral(":/help/") + name;
 }
 
-/// Links between pages are "page.md", to pictures "pictures/name.png" or, from a translated page, "../pictures/name.png".
+QString page_file(const QString& name) { return help_file(name + QStringLiteral(".md")); }
+
+/// Links between pages are "page.md", to pictures "pictures/name.png".
 class Browser : public QTextBrowser {
  public:
   QVariant loadResource(int type, const QUrl& name) override {
     if (type != QTextDocument::ImageResource) return QTextBrowser::loadResource(type, name);
     constexpr int widest = 650;  // fits beside the list of pages
-    const QImage picture(QStringLiteral(":/help/pictures/") + name.fileName());
+    const QImage picture(help_file(QStringLiteral("pictures/") + name.fileName()));
     return picture.width() > widest ? picture.scaledToWidth(widest, Qt::SmoothTransformation) : picture;
   }
 };

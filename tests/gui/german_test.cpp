@@ -11,6 +11,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 
 #include <functional>
 #include <random>
@@ -78,6 +79,7 @@ class GermanTest : public QObject {
   void no_english_message_is_shown_data();
   void no_english_message_is_shown();
   void a_file_that_cannot_be_read_is_told_in_german();
+  void the_help_has_german_pictures();
 
  private:
   QString file(const QString& name, const TriangleSoup& soup) { return scan_file(folder_, name, soup); }
@@ -134,6 +136,19 @@ void GermanTest::a_file_that_cannot_be_read_is_told_in_german() {
   settle();
   const QString english = english_texts(window);
   QVERIFY2(english.isEmpty(), qPrintable(english));
+}
+
+void GermanTest::the_help_has_german_pictures() {
+  Shown window({sample_file(folder_)});
+  trigger(window, "help");
+  auto* page = part<QTextBrowser>(window, "helpPage");
+  const auto shown =
+      page->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("pictures/window.png"))).value<QImage>();
+  const auto as_shown = [&](const char* file) {
+    return QImage(QLatin1String(file)).scaledToWidth(shown.width(), Qt::SmoothTransformation);
+  };
+  QCOMPARE(shown, as_shown(":/help/de/pictures/window.png"));
+  QVERIFY(shown != as_shown(":/help/pictures/window.png"));
 }
 
 std::unique_ptr<QObject> loopmend::testing::make_test() { return std::make_unique<GermanTest>(); }

@@ -102,13 +102,13 @@ void PlayerTest::every_state_is_shown_in_its_order() {
   std::vector<int> places;
   QStringList places_named;
   auto* words = part<QLabel>(window, "timelinePlace");
-  connect(&window.document(), &Document::patch_moved, words, [&] { places.push_back(flow.place()); });
+  connect(&window.document(), &Document::patch_moved, words, [&] {
+    places.push_back(flow.place());
+    if (!places_named.contains(words->text())) places_named << words->text();
+  });
   press(window, "play");
   QVERIFY(is_playing(window));
-  QVERIFY(wait_until([&] {
-    if (!places_named.contains(words->text())) places_named << words->text();
-    return !is_playing(window);
-  }));
+  QVERIFY(wait_until([&] { return !is_playing(window); }));
   QCOMPARE(static_cast<int>(places.size()), flow.states());
   for (int k = 0; k < flow.states(); ++k) QCOMPARE(places[static_cast<std::size_t>(k)], k);
   QCOMPARE(static_cast<int>(places_named.size()), flow.states());

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the help pages from the real window, so that they stay true: those of whole windows in English,
-# those of single parts in English and German; and, for people to judge, all of them light and dark, at once and twice
-# the size.
+# Makes the pictures of the help pages from the real window, so that they stay true, in English and German; and, for
+# people to judge, all of them light and dark, at once and twice the size.
 # Usage: docs/user/window/make_pictures.sh BUILD SCAN [FOLDER]
 #   BUILD   a build folder with bin/take_screenshots
 #   SCAN    the scan to show: the pages have the sample (`loopmend sample`), in likely_error.png ../shared/data/bunny.ply;
@@ -30,8 +29,6 @@ german=$(dirname "$pictures")/de/pictures
 mkdir -p "$pictures" "$german"
 for name in window candidates holes patch running display zebra inspect compare region repair edges mirror likely_error; do
   cp "$folder/light/$name.png" "$pictures/$name.png"
-done
-for name in holes patch display inspect repair; do
   cp "$folder/german/$name.png" "$german/$name.png"
 done
 echo "pictures of the help pages: $pictures and $german; all: $folder"
