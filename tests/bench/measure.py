@@ -34,7 +34,7 @@ PAGES = {
         "accuracy": ["{bin}/loopmend_accuracy --markdown {table}"],
         "rough_rims": ["{bin}/loopmend_rough_rims --markdown {table}"],
         "cut_models": ["{bin}/loopmend_cut_models --half tuning --csv {work}/tuning.csv --markdown {table} {data} {closed}"],
-        "error_bar": ["{bin}/loopmend_cut_models --half test --methods auto --csv {work}/test.csv {data} {scans} {closed}",
+        "error_bar": ["{bin}/loopmend_cut_models --half test --count 20 --methods auto --csv {work}/test.csv {data} {scans} {closed}",
                       "{bin}/loopmend_error_bar {work}/tuning.csv {work}/test.csv --markdown {table}"],
         "stress": ["{bin}/loopmend-stress --count 200 --jobs 2 --markdown {table}"],
     }),
@@ -71,7 +71,8 @@ PAGES = {
         "stages": ["{bench}/whole_commands.py --stages {bin}/loopmend " + " ".join("{shared}/" + scan for scan in COUNTED)],
     }),
     "window": (["measure_window", "loopmend_large_scans"], {
-        "box_window": ["{screen} {bin}/measure_window {data}/dragon.ply {data}/bunny.ply"],
+        "box_first": ["{screen} env MESA_SHADER_CACHE_DIR={work}/first {bin}/measure_window {data}/dragon.ply {data}/bunny.ply opening gaps"],
+        "box_window": ["{screen} env MESA_SHADER_CACHE_DIR={work}/first {bin}/measure_window {data}/dragon.ply {data}/bunny.ply"],
         "box_torus": ["{bin}/loopmend_large_scans write {work}/torus.ply 14000000",
                       "{screen} {bin}/measure_window {work}/torus.ply opening"],
     }),
