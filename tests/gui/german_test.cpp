@@ -94,7 +94,7 @@ void GermanTest::no_english_message_is_shown_data() {
   const QString rough = file(QStringLiteral("rough.ply"), rough_ball());
   QTest::newRow("no hole") << fragment << QStringLiteral("fill") << 0 << QStringLiteral("eines einzelnen Dreiecks");
   QTest::newRow("cannot be filled") << needle << QStringLiteral("fillAndSmooth") << 0
-                                    << QStringLiteral("\u201eBeschneiden\u201c im Reiter Flicken");
+                                    << QStringLiteral("nicht versucht, kann aber helfen");
   QTest::newRow("rough") << rough << QStringLiteral("fillAndSmooth") << 0
                          << QStringLiteral("mit dem Rand \u201eExakt\u201c l\u00e4uft der Fluss selbst");
   QTest::newRow("rough, robust fairing") << rough << QStringLiteral("fillAndSmooth") << 2
