@@ -89,6 +89,20 @@ void print_left_bodies(std::FILE* out, const RepairCounts& counts) {
         counted(counts.united.crossing_parts, "pair of new faces crosses", "pairs of new faces cross").c_str());
 }
 
+void print_cut(std::FILE* out, const PlaneCutCounts& cut) {
+  std::fprintf(out, "Cut by the plane: %s removed, %s divided",
+               counted(cut.removed_faces, "face was", "faces were").c_str(),
+               counted(cut.divided_faces, "face was", "faces were").c_str());
+  if (cut.closed > 0)
+    std::fprintf(out, "; %s closed by %s",
+                 counted(cut.closed, "curve of the section was", "curves of the section were").c_str(),
+                 counted(cut.new_faces, "plane face", "plane faces").c_str());
+  if (cut.left_open > 0)
+    std::fprintf(out, "; %s left open, as part of a boundary",
+                 counted(cut.left_open, "curve is", "curves are").c_str());
+  std::fprintf(out, "; the output is compared with the mesh after that.\n");
+}
+
 void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.no_data_faces == 0U)
     std::fprintf(out, "No vertex marks missing data: --cut-no-data removed nothing.\n");
@@ -118,6 +132,7 @@ void print_preparation(std::FILE* out, const Preparation& done) {
   if (done.bridges > 0)
     std::fprintf(out, "%zu %s laid across holes; the output is compared with the mesh that has them.\n", done.bridges,
                  done.bridges == 1 ? "strip was" : "strips were");
+  if (done.cut) print_cut(out, *done.cut);
   if (done.base_loop > 0)
     std::fprintf(out, "A base closes loop %d; the output is compared with the mesh that has it.\n", done.base_loop);
   if (!done.repaired) return;
@@ -168,6 +183,12 @@ nlohmann::ordered_json preparation_json(const Preparation& done) {
   if (done.no_data_faces) json["no_data_faces"] = *done.no_data_faces;
   if (done.joined_again > 0) json["joined_again"] = done.joined_again;
   if (done.bridges > 0) json["bridges"] = done.bridges;
+  if (done.cut)
+    json["plane_cut"] = {{"removed_faces", done.cut->removed_faces},
+                         {"divided_faces", done.cut->divided_faces},
+                         {"closed_curves", done.cut->closed},
+                         {"open_curves", done.cut->left_open},
+                         {"new_faces", done.cut->new_faces}};
   if (done.base_loop > 0) json["base_loop"] = done.base_loop;
   return json;
 }

@@ -155,6 +155,10 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
   fill->add_flag_callback(
       "--cut-no-data", [&command] { command.job.prepare.no_data = PrepareOptions::NoData::cut; },
       "Remove first the faces at vertices that mark missing data, such as heights of -9999; their holes are filled");
+  fill->add_option("--cut-plane", words.cut_plane,
+                   "Cut by a plane first, given by a point and its normal: what lies on the side of the normal is "
+                   "removed, and the section is closed by plane faces")
+      ->type_name("X,Y,Z,NX,NY,NZ");
   fill->add_option("--base", words.base,
                    "Build a base first under the largest loop, or loop N: a straight wall to a plane D below it (mesh "
                    "units), for prints")
@@ -256,6 +260,7 @@ void take_words(const FillWords& words, FillCommand& command) {
   if (words.cut_intersections) prepare.repair.insert(Defect::intersections);
   if (words.cut_handles) prepare.repair.insert(Defect::handles);
   if (words.unite) prepare.repair.insert(Defect::overlaps);
+  if (!words.cut_plane.empty()) prepare.cut_plane = cut_plane_of(words.cut_plane);
   if (!words.base.empty()) prepare.base = base_of(words.base);
   for (const std::string& text : words.bridges) prepare.bridges.push_back(two_vertices("--bridge", text));
 }

@@ -29,6 +29,7 @@ struct FillWords {
   FillOptions::Islands islands = FillOptions::Islands::join;
   bool mirror = false;
   std::string mirror_plane;  ///< "x,y,z,nx,ny,nz"; empty: none
+  std::string cut_plane;     ///< likewise
 };
 
 /// Adds the command `fill`. Its options that need no table of words stand in `command` when it was parsed.

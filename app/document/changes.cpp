@@ -111,6 +111,12 @@ ChooseUnits::ChooseUnits(Document& document, std::map<int, std::string> after, c
       before_(document.chosen_units()),
       after_(std::move(after)) {}
 
+ChooseShapes::ChooseShapes(Document& document, std::map<int, SeamContinuity> after, const QString& text)
+    : Change(text),
+      document_(document),
+      before_(document.chosen_shapes()),
+      after_(std::move(after)) {}
+
 ChangeGroup::ChangeGroup(std::vector<std::unique_ptr<Change>> parts, const QString& text)
     : Change(text),
       parts_(std::move(parts)) {}

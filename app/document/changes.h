@@ -101,6 +101,23 @@ class ChooseUnits : public Change {
   bool forgotten_ = false;
 };
 
+/// How the patches of loops meet the scan.
+class ChooseShapes : public Change {
+ public:
+  /// @param after  by loop
+  ChooseShapes(Document& document, std::map<int, SeamContinuity> after, const QString& text);
+  void undo() override { document_.set_chosen_shapes(before_); }
+  void redo() override { document_.set_chosen_shapes(after_); }
+  std::size_t held_bytes(std::set<const void*>&) const override { return 0; }
+  void forget() override { forgotten_ = true; }
+  bool forgotten() const override { return forgotten_; }
+
+ private:
+  Document& document_;
+  std::map<int, SeamContinuity> before_, after_;
+  bool forgotten_ = false;
+};
+
 /// Several changes that are one for the person: done in their order, undone backwards. Takes up patch changes that are joined to it.
 class ChangeGroup : public Change {
  public:

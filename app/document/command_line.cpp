@@ -13,7 +13,14 @@
 namespace loopmend {
 namespace {
 
-/// The options of `loopmend fill` for a recipe; only the last run where there are several.
+/// Whether `--loops` may name the continuity of this recipe behind a number.
+bool takes_shapes(const PatchRecipe& recipe) {
+  return !recipe.runs.empty() && recipe.runs.back().flow == FlowKind::mmcvf &&
+         recipe.runs.back().mode == EvolutionMode::steady;
+}
+
+/// The options of `loopmend fill` for a recipe; only the last run where there are several. Without the continuity where --loops may
+/// name it.
 /// @param loops  of its patch
 QString options_of(const PatchRecipe& recipe, const OpenedScan& scan, const std::vector<BoundaryLoop>& loops) {
   QString text;
@@ -23,7 +30,8 @@ QString options_of(const PatchRecipe& recipe, const OpenedScan& scan, const std:
   text += QStringLiteral(" --flow ") + shell::word(run.flow);
   if (run.mode == EvolutionMode::steps) text += QStringLiteral(" --mode steps --sigma ") + shell::exact(run.sigma);
   if (run.mode == EvolutionMode::steady)
-    text += shell::boundary_options(run.boundary, run.continuity) + shell::relief_options(run.relief) +
+    text += shell::boundary_options(run.boundary, takes_shapes(recipe) ? SeamContinuity::curvature : run.continuity) +
+            shell::relief_options(run.relief) +
             shell::edges_options(run.edges, edits_at(*scan.model, loops, run.edge_edits));
   if (run.mirror == RunRecipe::Mirror::found) text += QStringLiteral(" --mirror");
   if (run.mirror == RunRecipe::Mirror::placed) {
@@ -66,7 +74,8 @@ class ScanCommands {
     // The command joins islands where it is not asked for something else.
     if (recipe.start == PatchRecipe::Start::holes && !holes_with_islands(*scan_.model, own_loops).empty())
       options += QStringLiteral(" --islands cover");
-    auto& loops = by_options_[options];
+    auto& loops =
+        by_options_[options][takes_shapes(recipe) ? recipe.runs.back().continuity : SeamContinuity::curvature];
     loops.insert(patch.loops.begin(), patch.loops.end());
     const QString name = labels::sentence(labels::holes(document_, {patch.loops.begin(), patch.loops.end()}));
     if (patch.state->status == PatchStatus::invalid)
@@ -94,35 +103,61 @@ class ScanCommands {
     // No command overwrites its input: each step has a file of its own.
     QString input = file;
     std::size_t step = 0;
-    for (const auto& [options, loops] : by_options_) {
-      const bool last = ++step == by_options_.size();
+    const std::vector<Step> all = steps();
+    for (const Step& now : all) {
+      const bool last = ++step == all.size();
       const QString ending = last ? QStringLiteral("-filled.ply") : QStringLiteral("-filled-%1.ply").arg(step);
       const QString output = shell::beside(file, ending);
       // Numbers change when loops are filled; vertices of the input keep theirs.
-      const QString which = input == file ? by_number(loops) : by_vertex(loops);
+      const QString which = input == file ? by_number(now.shapes) : by_vertex(now.shapes);
       lines << QStringLiteral("loopmend fill ") + shell::quoted(input) + QStringLiteral(" -o ") +
-                   shell::quoted(output) + which + options;
+                   shell::quoted(output) + which + now.options;
       input = output;
     }
     return lines.join(QLatin1Char('\n'));
   }
 
  private:
-  QString by_number(const std::set<int>& loops) const {
+  using Shapes = std::map<int, SeamContinuity>;  ///< by loop
+  struct Step {
+    QString options;
+    Shapes shapes;
+  };
+
+  /// One step where --loops can name all shapes, else one for each.
+  std::vector<Step> steps() const {
+    std::vector<Step> all;
+    for (const auto& [options, by_shape] : by_options_) {
+      if (by_options_.size() == 1) all.push_back({options, {}});
+      for (const auto& [shape, loops] : by_shape) {
+        if (by_options_.size() > 1)
+          all.push_back({options + shell::boundary_options(BoundaryTrust::automatic, shape), {}});
+        for (int loop : loops) all.back().shapes.emplace(loop, shape);
+      }
+    }
+    return all;
+  }
+
+  QString by_number(const Shapes& loops) const {
     bool all = true;
     for (int loop = document_.first_loop_of(index_); loop < document_.loop_count(); ++loop) {
       if (document_.scan_of(loop) != index_) break;
       all = all && loops.contains(loop) == (document_.loop(loop).kind == LoopKind::hole);
     }
-    if (all) return {};
+    const bool names_shapes = by_options_.size() == 1;
+    const SeamContinuity first = loops.begin()->second;
+    const bool are_alike = std::all_of(loops.begin(), loops.end(), [&](const auto& of) { return of.second == first; });
+    if (all && (are_alike || !names_shapes))
+      return names_shapes ? shell::boundary_options(BoundaryTrust::automatic, first) : QString();
     QStringList numbers;
-    for (int loop : loops) numbers << QString::number(document_.loop(loop).number);
+    for (const auto& [loop, shape] : loops)
+      numbers << QString::number(document_.loop(loop).number) + (names_shapes ? shell::loop_shape(shape) : QString());
     return QStringLiteral(" --loops ") + numbers.join(QLatin1Char(','));
   }
 
-  QString by_vertex(const std::set<int>& loops) const {
+  QString by_vertex(const Shapes& loops) const {
     QStringList vertices;
-    for (int loop : loops)
+    for (const auto& [loop, shape] : loops)
       if (const int v = own_vertex(scan_, document_.loop(loop)); v >= 0) vertices << QString::number(v);
     return QStringLiteral(" --at-vertex ") + vertices.join(QLatin1Char(','));
   }
@@ -130,7 +165,7 @@ class ScanCommands {
   const Document& document_;
   const OpenedScan& scan_;
   int index_;
-  std::map<QString, std::set<int>> by_options_;
+  std::map<QString, std::map<SeamContinuity, std::set<int>>> by_options_;
 };
 
 }  // namespace

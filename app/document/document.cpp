@@ -15,6 +15,7 @@ std::vector<int> Document::scans_with_work() const {
   std::vector<int> found = scans();
   std::erase_if(found, [this](int i) {
     return scan(i)->from != ScanOrigin::made && units_.count(i) == 0 &&
+           std::none_of(shapes_.begin(), shapes_.end(), [&](const auto& of) { return scan_of(of.first) == i; }) &&
            std::none_of(patches_.begin(), patches_.end(), [i](const OpenPatch& patch) { return patch.scan == i; });
   });
   return found;
@@ -138,6 +139,7 @@ void Document::swap_with(Aside& other) {
   units_.swap(other.units);
   edge_edits_.swap(other.edge_edits);
   mirror_planes_.swap(other.mirror_planes);
+  shapes_.swap(other.shapes);
   index_patches();
   running_.clear();
 }
@@ -168,6 +170,7 @@ void Document::clear() {
   units_.clear();
   edge_edits_.clear();
   mirror_planes_.clear();
+  shapes_.clear();
   patches_.clear();
   index_patches();
   running_.clear();
@@ -199,6 +202,17 @@ void Document::set_edge_edits(int scan, EdgeEdits edits) {
   if (edge_edits(scan) == edits) return;
   edge_edits_[scan] = std::move(edits);
   Q_EMIT edge_edits_changed();
+}
+
+std::optional<SeamContinuity> Document::chosen_shape(int loop) const {
+  const auto found = shapes_.find(loop);
+  return found == shapes_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Document::set_chosen_shapes(const std::map<int, SeamContinuity>& shapes) {
+  if (shapes_ == shapes) return;
+  shapes_ = shapes;
+  Q_EMIT holes_changed();
 }
 
 std::optional<MirrorPlane> Document::mirror_plane(int scan) const {

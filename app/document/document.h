@@ -45,7 +45,7 @@ class Document : public QObject {
   using QObject::QObject;
 
   bool has_scan() const;
-  /// Those with patches or a chosen unit, or that were made here: what would be lost without saving.
+  /// Those with patches, a chosen unit or chosen shapes, or that were made here: what would be lost without saving.
   std::vector<int> scans_with_work() const;
   bool has_work() const;
   /// Indices of the scans that are there.
@@ -110,6 +110,11 @@ class Document : public QObject {
   std::optional<MirrorPlane> mirror_plane(int scan) const;
   void set_mirror_plane(int scan, const std::optional<MirrorPlane>& plane);
 
+  /// How the patches of loops meet the scan, where that was chosen for the loop itself; by loop.
+  const std::map<int, SeamContinuity>& chosen_shapes() const { return shapes_; }
+  std::optional<SeamContinuity> chosen_shape(int loop) const;
+  void set_chosen_shapes(const std::map<int, SeamContinuity>& shapes);
+
   int next_patch_id() { return next_id_++; }
   /// Patches by these ids go, those in `now` come or are shown again.
   void replace(const std::vector<int>& gone, const std::vector<OpenPatch>& now);
@@ -149,6 +154,7 @@ class Document : public QObject {
     std::map<int, std::string> units;
     std::map<int, EdgeEdits> edge_edits;
     std::map<int, MirrorPlane> mirror_planes;
+    std::map<int, SeamContinuity> shapes;
   };
   void index_patches();
   void swap_with(Aside& other);
@@ -165,6 +171,7 @@ class Document : public QObject {
   std::map<int, std::string> units_;
   std::map<int, EdgeEdits> edge_edits_;
   std::map<int, MirrorPlane> mirror_planes_;
+  std::map<int, SeamContinuity> shapes_;
   OuterRims outer_rims_ = OuterRims::leave;
   int next_id_ = 1;
 };

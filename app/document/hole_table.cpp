@@ -130,7 +130,11 @@ QVariant HoleTable::text(int loop, int column) const {
       const ExpectedDeviation expected = document_.deviation(loop);
       return expected.is_known() ? labels::number(expected.likely) : QString();
     }
-    case state: return labels::verdict_or_state(document_, loop);
+    case state: {
+      const QString words = labels::verdict_or_state(document_, loop);
+      const auto shape = document_.chosen_shape(loop);
+      return shape ? tr("%1, %2").arg(words, labels::shape(*shape)) : words;
+    }
     default: return {};
   }
 }
@@ -170,6 +174,7 @@ QVariant HoleTable::tool_tip(int loop, int column) const {
   const Verdict* verdict = document_.verdict(loop);
   QString help = labels::state_help(document_.state(loop));
   if (verdict && verdict->grade != Grade::good) help += QLatin1Char(' ') + labels::sentence_of(*verdict);
+  if (const auto shape = document_.chosen_shape(loop)) help += QLatin1Char(' ') + labels::shape_help(*shape);
   return more.isEmpty() ? help : help + QLatin1Char(' ') + labels::sentence(more);
 }
 

@@ -123,6 +123,24 @@ QString verdict_or_state(const Document& document, int loop) {
   return came_to_an_end && document.verdict(loop) ? tr("good") : state(now);
 }
 
+QString shape(SeamContinuity shape) {
+  switch (shape) {
+    case SeamContinuity::position: return tr("flat");
+    case SeamContinuity::tangent: return tr("tangent");
+    case SeamContinuity::curvature: return tr("smooth");
+  }
+  return {};
+}
+
+QString shape_help(SeamContinuity shape) {
+  switch (shape) {
+    case SeamContinuity::position: return tr("Closed flat, as chosen: a plane, or a taut skin.");
+    case SeamContinuity::tangent: return tr("Closed without a crease, as chosen: position and tangent.");
+    case SeamContinuity::curvature: return tr("Closed smoothly, as chosen: position, tangent and curvature.");
+  }
+  return {};
+}
+
 QString state_help(HoleState state) {
   switch (state) {
     case HoleState::open: return tr("Not filled yet.");

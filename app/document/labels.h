@@ -17,6 +17,9 @@ QString state_help(HoleState state);
 int urgency(HoleState state);
 /// How the table names a hole: "good" where its patch has that verdict, its kind where it is left out, else the state.
 QString verdict_or_state(const Document& document, int loop);
+/// The words of `loopmend fill --loops N:flat`, in the person's language.
+QString shape(SeamContinuity shape);
+QString shape_help(SeamContinuity shape);
 QString flow(FlowKind flow);
 QString flow_name(FlowKind flow);
 QString flow_help(FlowKind flow);

@@ -18,7 +18,7 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr int format_version = 17;  ///< no other one is read
+constexpr int format_version = 18;  ///< no other one is read
 
 void fields(auto& stream, Is<ColorRange> auto& range) {
   stream.word(range.rule, ColorRange::Rule::percentile_each);
@@ -36,6 +36,15 @@ void fields(auto& stream, Is<SessionView> auto& view) {
   fields(stream, view.look.K);
   stream.whole(view.look.stripes);
   stream.word(view.look.up, UpAxis::minus_z);
+}
+
+void fields(auto& stream, Is<std::map<int, SeamContinuity>> auto& shapes) {
+  std::vector<std::pair<int, SeamContinuity>> all(shapes.begin(), shapes.end());
+  stream.list(all, sizeof(qint32), [&](auto& of_loop) {
+    stream.whole(of_loop.first);
+    stream.word(of_loop.second, SeamContinuity::curvature);
+  });
+  if constexpr (is_reading<decltype(stream)>) shapes = {all.begin(), all.end()};
 }
 
 void fields(auto& stream, Is<TriangleSoup> auto& surface) {
@@ -107,6 +116,8 @@ Session session_of(const Document& document, const ViewSource& view, std::size_t
     place[index] = static_cast<int>(session.scans.size());
     const auto scan = document.scan(index);
     SessionScan entry{scan->path, scan->fingerprint, scan->name, nullptr, {}, scan->kept};
+    for (const auto& [loop, shape] : document.chosen_shapes())
+      if (document.scan_of(loop) == index) entry.shapes.emplace(document.loop(loop).number, shape);
     if (const auto chosen = document.chosen_units().find(index); chosen != document.chosen_units().end())
       entry.unit = chosen->second;
     // Shares the model: a session may be written while the window goes on.
@@ -150,7 +161,10 @@ QByteArray to_bytes(const Session& session, const QString& beside) {
   });
   out.flag(session.view.has_value());
   if (session.view) fields(out, *session.view);
-  for (const SessionScan& scan : session.scans) out.text(scan.unit);
+  for (const SessionScan& scan : session.scans) {
+    out.text(scan.unit);
+    fields(out, scan.shapes);
+  }
   return bytes;
 }
 
@@ -215,6 +229,7 @@ Session session_from_bytes(const QByteArray& bytes, const QString& path) {
   }
   for (SessionScan& scan : session.scans) {
     in.text(scan.unit);
+    fields(in, scan.shapes);
     if (!scan.unit.empty() && !is_length_unit(scan.unit)) in.fail(say("a unit of length is not known"));
   }
   if (!in.at_end()) in.fail(say("there is more in the file than there should be"));

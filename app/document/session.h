@@ -26,6 +26,7 @@ struct SessionScan {
   std::shared_ptr<const TriangleSoup> made;  ///< a surface that is in no file: it lies in the session itself
   std::string unit;                          ///< as chosen by a person; empty: as the file has it
   KeptFilePtr file;                          ///< its file, where the session holds it; null: it lies elsewhere
+  std::map<int, SeamContinuity> shapes{};    ///< chosen for loops, by their numbers
 };
 
 struct SessionPatch {

@@ -23,6 +23,15 @@ QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity) {
   return text;
 }
 
+QString loop_shape(SeamContinuity shape) {
+  switch (shape) {
+    case SeamContinuity::position: return QStringLiteral(":flat");
+    case SeamContinuity::tangent: return QStringLiteral(":tangent");
+    case SeamContinuity::curvature: return {};
+  }
+  return {};
+}
+
 QString edges_options(SharpEdges edges, const EdgeEdits& edits) {
   QString text = edges == SharpEdges::rounded ? QStringLiteral(" --edges round") : QString();
   for (const auto& [a, b] : edits.drawn) text += QStringLiteral(" --draw-edge %1,%2").arg(a).arg(b);

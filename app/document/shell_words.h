@@ -18,6 +18,8 @@ QString quoted(const QString& path);
 QString writing(const QString& file, const QStringList& lines);
 /// As --flow takes it.
 QString word(FlowKind flow);
+/// What --loops takes behind the number of a loop: ":flat"; nothing for a smooth one.
+QString loop_shape(SeamContinuity shape);
 /// --boundary and --continuity, with a blank before each; nothing where they are what the command takes by itself.
 QString boundary_options(BoundaryTrust boundary, SeamContinuity continuity);
 /// Of `fill`; empty for a smooth patch.

@@ -72,8 +72,10 @@ void FillController::add_other_patches(int scan, FillTask& task) const {
                                    [this](const auto& entry) { return document_.patch_of(entry.first); });
   for (const OpenPatch& patch : document_.patches()) {
     if (patch.scan != scan || task.wanted.contains(patch.loops.front())) continue;
-    const bool may_change =
-        is_new && patch.acceptance == Acceptance::pending && patch.state->recipe.start == PatchRecipe::Start::holes;
+    const bool is_alike = !task.wanted.empty() && document_.chosen_shape(patch.loops.front()) ==
+                                                      document_.chosen_shape(task.wanted.begin()->first);
+    const bool may_change = is_new && is_alike && patch.acceptance == Acceptance::pending &&
+                            patch.state->recipe.start == PatchRecipe::Start::holes;
     for (int loop : patch.loops)
       if (may_change)
         task.filled.emplace(loop, document_.loop(loop));
@@ -83,9 +85,11 @@ void FillController::add_other_patches(int scan, FillTask& task) const {
 }
 
 /// Whether a patch is what this flow makes already, so that it stays as it is.
-bool FillController::is_done(const OpenPatch& patch, EvolutionOptions flow) const {
+bool FillController::is_done(const OpenPatch& patch, const EvolutionOptions& asked) const {
   const std::vector<RunRecipe>& runs = patch.state->recipe.runs;
   if (runs.size() != 1 || runs.back().end != RunRecipe::End::whole || !is_at_end(patch.state->status)) return false;
+  if (starts_anew(patch, asked)) return false;
+  EvolutionOptions flow = flow_at(patch.loops.front(), asked);
   flow.mode = EvolutionMode::steady;
   flow.edge_edits = document_.edge_edits(patch.scan);
   RunRecipe wanted = recipe_of(flow);
@@ -98,6 +102,23 @@ bool FillController::is_done(const OpenPatch& patch, EvolutionOptions flow) cons
   return wanted == runs.back();
 }
 
+EvolutionOptions FillController::flow_at(int loop, EvolutionOptions flow) const {
+  if (const auto shape = document_.chosen_shape(loop)) {
+    flow.flow = FlowKind::mmcvf;
+    flow.continuity = *shape;
+  }
+  return flow;
+}
+
+bool FillController::starts_anew(const OpenPatch& patch, const std::optional<EvolutionOptions>& flow) const {
+  const std::vector<RunRecipe>& runs = patch.state->recipe.runs;
+  if (runs.empty()) return true;
+  return flow && std::any_of(patch.loops.begin(), patch.loops.end(), [&](int loop) {
+           const EvolutionOptions wanted = flow_at(loop, *flow);
+           return wanted.flow == FlowKind::mmcvf && wanted.continuity != runs.back().continuity;
+         });
+}
+
 FillRun FillController::fill_run(FillRequest& request) {
   std::erase_if(request.loops, [this](int loop) { return document_.patch_of(loop) || !document_.present(loop); });
   std::erase_if(request.patch_ids, [this, &flow = request.flow](int id) {
@@ -107,13 +128,16 @@ FillRun FillController::fill_run(FillRequest& request) {
   FillOptions options;
   options.evolution = request.flow;
   if (options.evolution) options.evolution->mode = EvolutionMode::steady;
-  std::map<int, FillTask> new_loops;                                        // by scan
-  std::map<std::tuple<int, double, FillOptions::Islands>, FillTask> again;  // and options
-  const auto prepare = [&](FillTask& task, int scan, double density, FillOptions::Islands islands) -> FillTask& {
+  using Shape = std::optional<SeamContinuity>;
+  std::map<std::pair<int, Shape>, FillTask> new_loops;                             // by scan and shape
+  std::map<std::tuple<int, Shape, double, FillOptions::Islands>, FillTask> again;  // and options
+  const auto prepare = [&](FillTask& task, int loop, double density, FillOptions::Islands islands) -> FillTask& {
+    const int scan = document_.scan_of(loop);
     task.scan_context = context_of(scan);
     task.first_loop = document_.first_loop_of(scan);
     task.options = options;
     if (task.options.evolution) {
+      task.options.evolution = flow_at(loop, *options.evolution);
       task.options.evolution->edge_edits = document_.edge_edits(scan);
       if (const auto plane = document_.mirror_plane(scan)) task.options.mirror_planes = {*plane};
     }
@@ -122,8 +146,8 @@ FillRun FillController::fill_run(FillRequest& request) {
     return task;
   };
   for (int loop : request.loops) {
-    const int scan = document_.scan_of(loop);
-    prepare(new_loops[scan], scan, request.choice.density, request.choice.islands)
+    prepare(new_loops[{document_.scan_of(loop), document_.chosen_shape(loop)}], loop, request.choice.density,
+            request.choice.islands)
         .wanted.emplace(loop, document_.loop(loop));
   }
   for (int id : request.patch_ids) {
@@ -131,21 +155,24 @@ FillRun FillController::fill_run(FillRequest& request) {
     const PatchRecipe& recipe = patch.state->recipe;
     const auto islands =
         recipe.start == PatchRecipe::Start::bridge ? FillOptions::Islands::join : FillOptions::Islands::cover;
-    FillTask& task = prepare(again[{patch.scan, recipe.density, islands}], patch.scan, recipe.density, islands);
-    std::vector<BoundaryLoop> loops;
-    for (int loop : patch.loops) loops.push_back(document_.loop(loop));
-    if (!recipe.runs.empty()) {
-      task.moved.emplace_back(patch.state, std::move(loops));
+    const auto task_of = [&](int loop) -> FillTask& {
+      return prepare(again[{patch.scan, document_.chosen_shape(loop), recipe.density, islands}], loop, recipe.density,
+                     islands);
+    };
+    if (starts_anew(patch, request.flow)) {
+      for (int loop : patch.loops) task_of(loop).wanted.emplace(loop, document_.loop(loop));
       continue;
     }
-    for (std::size_t k = 0; k < loops.size(); ++k) task.wanted.emplace(patch.loops[k], loops[k]);
+    std::vector<BoundaryLoop> loops;
+    for (int loop : patch.loops) loops.push_back(document_.loop(loop));
+    task_of(patch.loops.front()).moved.emplace_back(patch.state, std::move(loops));
   }
   FillRun run;
   run.pace = request.pace;
   run.patches = static_cast<int>(request.patch_ids.size());
   run.origin = document_.origin();
-  for (auto& [scan, task] : new_loops) {
-    add_other_patches(scan, task);
+  for (auto& [key, task] : new_loops) {
+    add_other_patches(key.first, task);
     run.tasks.push_back(std::move(task));
   }
   for (auto& [key, task] : again) {

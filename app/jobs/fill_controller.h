@@ -11,6 +11,7 @@
 #include "jobs/load_scan.h"
 #include "jobs/step_patches.h"
 #include "jobs/task_runner.h"
+#include "repair/plane_cut.h"
 #include "repair/repair_surface.h"
 
 #include <QElapsedTimer>
@@ -44,7 +45,9 @@ enum class ScanRepair {
   repair,         ///< --repair: the scan becomes an oriented manifold
   bridge,         ///< --bridge A,B: a strip parts a hole into two, or joins two
   erase,          ///< faces that were painted go
-  part,           ///< what hangs at a boundary by a vertex alone becomes an island
+  base,           ///< --base N:D: a straight wall leads from a loop to a plane below the surface
+  plane_cut,  ///< --cut-plane: one side of a plane goes, with what it has of patches; all patches are joined to the scan
+  part,       ///< what hangs at a boundary by a vertex alone becomes an island
   turn_around,  ///< what looks inward looks outward; where nothing does, as --turn-around, every face looks the other way
 };
 
@@ -129,6 +132,10 @@ class FillController : public QObject {
   void turn_around(int scan);
   /// A strip between these soup points of a scan; as with_bridge() of the engine.
   void bridge(int scan, int soup_a, int soup_b);
+  /// A base under a loop of the document; as with_base() of the engine.
+  void build_base(int loop, double distance);
+  /// One side of a plane goes, and the section is closed; patches become a part of the scan.
+  void cut_by_plane(int scan, const CutPlane& plane);
   /// A bridge, and one of the two holes that it makes filled and smoothed: one change for undo.
   void fill_part(const HolePart& part, const FillAndSmooth& how);
   /// Takes away all faces with a corner at one of these points: of the scan's soup, its patches' own after them. With `then`,
@@ -144,6 +151,8 @@ class FillController : public QObject {
 
   /// A patch that was made elsewhere comes into its loops, in place of what is there; tested for cuts first.
   void adopt(OpenPatch patch);
+  /// How these loops are closed when they are filled next, whatever the options are; empty: as the options say.
+  void choose_shape(const std::set<int>& loops, const std::optional<SeamContinuity>& shape);
   /// What all lengths are measured in; empty: not known. Nothing is converted.
   void choose_unit(const std::string& unit);
   void set_acceptance(const std::set<int>& patch_ids, Acceptance acceptance);
@@ -207,8 +216,12 @@ class FillController : public QObject {
     PatchChange::Joining joining = PatchChange::Joining::none;
   };
 
+  bool is_done(const OpenPatch& patch, const EvolutionOptions& flow) const;
+  /// A flow, or its place, is no other shape where that was chosen for the loop.
+  EvolutionOptions flow_at(int loop, EvolutionOptions flow) const;
+  /// Whether a patch is made afresh rather than moved on: no flow has moved it, or it was made in another shape.
+  bool starts_anew(const OpenPatch& patch, const std::optional<EvolutionOptions>& flow) const;
   /// Leaves what cannot be filled, or moved, out of the request.
-  bool is_done(const OpenPatch& patch, EvolutionOptions flow) const;
   FillRun fill_run(FillRequest& request);
   void add_other_patches(int scan, FillTask& task) const;
   void start_fill(FillRequest request);
@@ -231,6 +244,7 @@ class FillController : public QObject {
   /// @returns its loops that are to be filled.
   std::set<int> take_repaired(const RepairedScan& repaired);
   void keep_unit(const std::vector<int>& gone, int come);
+  void keep_shapes(int gone, int come);
   void load(const QStringList& paths, OpenMode mode, const QString& stage);
   /// The former scene comes back.
   void drop_preview();

@@ -233,8 +233,9 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
 /// What a worker read of a session.
 struct FillController::Restored {
   std::vector<OpenedScanPtr> scans;
-  std::vector<std::string> units;  ///< of each scan, as chosen; empty: not chosen
-  std::vector<OpenPatch> patches;  ///< loops by index within their scan; ids not set
+  std::vector<std::string> units;                       ///< of each scan, as chosen; empty: not chosen
+  std::vector<std::map<int, SeamContinuity>> shapes{};  ///< of each scan, by the numbers of loops
+  std::vector<OpenPatch> patches;                       ///< loops by index within their scan; ids not set
   std::optional<SessionView> view;
   QString missing;  ///< a scan that is not where the session names it: nothing else was read
 };
@@ -262,7 +263,10 @@ FillController::Restored FillController::restore(const SessionFile& file, const 
     origin = origin.value_or(scan->origin);
     restored.scans.push_back(scan);
   }
-  for (const SessionScan& wanted : session.scans) restored.units.push_back(wanted.unit);
+  for (const SessionScan& wanted : session.scans) {
+    restored.units.push_back(wanted.unit);
+    restored.shapes.push_back(wanted.shapes);
+  }
   for (const SessionPatch& saved : session.patches) {
     if (job->token().cancelled()) return {};
     const OpenedScan& scan = *restored.scans[saved.scan];
@@ -315,6 +319,12 @@ void FillController::on_restored(Restored restored, const QString& path, const Q
   for (std::size_t k = 0; k < restored.units.size(); ++k)
     if (!restored.units[k].empty()) units[index[k]] = restored.units[k];
   document_.set_chosen_units(units);
+  std::map<int, SeamContinuity> shapes;
+  for (std::size_t k = 0; k < restored.shapes.size(); ++k)
+    for (const auto& [number, shape] : restored.shapes[k])
+      if (number >= 1 && number <= static_cast<int>(restored.scans[k]->loops.size()))
+        shapes.emplace(document_.first_loop_of(index[k]) + number - 1, shape);
+  document_.set_chosen_shapes(shapes);
   document_.replace({}, restored.patches);
   if (restored.view) Q_EMIT view_restored(*restored.view);
   const QString name = shown_as.isEmpty() ? QFileInfo(path).fileName() : shown_as;

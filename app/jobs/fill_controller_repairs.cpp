@@ -57,6 +57,23 @@ void FillController::bridge(int scan, int soup_a, int soup_b) {
   run_repair(ScanRepair::bridge, {std::move(task)});
 }
 
+void FillController::build_base(int loop, double distance) {
+  if (busy() || !document_.present(loop)) return;
+  ScanRepairTask task;
+  task.scan = document_.scan_of(loop);
+  task.loops = {document_.loop(loop)};
+  task.base_distance = distance;
+  run_repair(ScanRepair::base, {std::move(task)}, {});
+}
+
+void FillController::cut_by_plane(int scan, const CutPlane& plane) {
+  if (busy() || !document_.scan(scan)) return;
+  ScanRepairTask task;
+  task.scan = scan;
+  task.cut_plane = plane;
+  run_repair(ScanRepair::plane_cut, {std::move(task)}, {});
+}
+
 void FillController::fill_part(const HolePart& part, const FillAndSmooth& how) {
   if (busy() || !document_.scan(part.scan)) return;
   ScanRepairTask task;
@@ -234,9 +251,41 @@ void FillController::keep_unit(const std::vector<int>& gone, int come) {
   if (units != document_.chosen_units()) document_.set_chosen_units(units);
 }
 
+void FillController::choose_shape(const std::set<int>& loops, const std::optional<SeamContinuity>& shape) {
+  if (busy()) return;
+  std::map<int, SeamContinuity> shapes = document_.chosen_shapes();
+  for (int loop : loops) {
+    shapes.erase(loop);
+    if (shape) shapes.emplace(loop, *shape);
+  }
+  if (shapes == document_.chosen_shapes()) return;
+  const QString where = labels::holes(document_, loops);
+  const QString text =
+      shape ? tr("Close %1: %2").arg(where, labels::shape(*shape)) : tr("Close %1 as usual").arg(where);
+  undo_.push(std::make_unique<ChooseShapes>(document_, std::move(shapes), text));
+}
+
+/// Loops that are the same in the scan that comes in the place of another keep the shapes that were chosen for them.
+void FillController::keep_shapes(int gone, int come) {
+  std::map<int, SeamContinuity> shapes = document_.chosen_shapes();
+  const auto key_of = [this](int loop) {
+    const BoundaryLoop& l = document_.loop(loop);
+    return std::tuple(l.edges(), l.perimeter, l.center.x(), l.center.y(), l.center.z());
+  };
+  std::map<decltype(key_of(0)), SeamContinuity> of_gone;
+  for (const auto& [loop, shape] : shapes)
+    if (document_.scan_of(loop) == gone) of_gone.emplace(key_of(loop), shape);
+  if (of_gone.empty()) return;
+  for (int loop = document_.first_loop_of(come); loop < document_.loop_count(); ++loop)
+    if (const auto same = of_gone.find(key_of(loop)); document_.scan_of(loop) == come && same != of_gone.end())
+      shapes.emplace(loop, same->second);
+  document_.set_chosen_shapes(shapes);
+}
+
 std::set<int> FillController::take_repaired(const RepairedScan& repaired) {
   const int come = document_.add_scan(repaired.made), first_loop = document_.first_loop_of(come);
   keep_unit({repaired.scan}, come);
+  keep_shapes(repaired.scan, come);
   std::vector<PatchChange::Pair> pairs;
   for (OpenPatch patch : repaired.carried) {
     patch.scan = come;

@@ -27,7 +27,7 @@ MirrorGuide::Fit fit_of(ScanContext& context, int loop, const BoundaryLoop& boun
 }  // namespace
 
 MirrorGuide::MirrorGuide(Document& document, const HoleSelection& selection, ContextOf context_of, QObject* parent)
-    : QObject(parent),
+    : PlaneGuide(parent),
       document_(document),
       selection_(selection),
       context_of_(std::move(context_of)) {

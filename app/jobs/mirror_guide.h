@@ -4,6 +4,7 @@
 
 #include "document/document.h"
 #include "document/hole_selection.h"
+#include "jobs/plane_guide.h"
 #include "jobs/scan_context.h"
 #include "jobs/task_runner.h"
 #include "mirror/mirror_patch.h"
@@ -16,7 +17,7 @@
 
 namespace loopmend {
 
-class MirrorGuide : public QObject {
+class MirrorGuide : public PlaneGuide {
   Q_OBJECT
 
  public:
@@ -33,16 +34,17 @@ class MirrorGuide : public QObject {
   enum class Watch { nothing, scan };
   /// That of the selected hole, else the first. Its planes are looked for once.
   void watch(Watch what);
-  int scan() const { return scan_; }
+  int scan() const override { return scan_; }
   bool busy() const { return job_ != nullptr; }
-  bool has_failed() const { return has_failed_; }                     ///< of the last search or comparison
-  const std::vector<MirrorPlane>& planes() const { return planes_; }  ///< found, the best first
-  const std::optional<MirrorPlane>& plane() const { return plane_; }  ///< what holes are compared in
+  bool has_failed() const { return has_failed_; }                              ///< of the last search or comparison
+  const std::vector<MirrorPlane>& planes() const { return planes_; }           ///< found, the best first
+  const std::optional<MirrorPlane>& plane() const override { return plane_; }  ///< what holes are compared in
   const std::vector<Fit>& fits() const { return fits_; }
 
-  /// Shown at once; the holes are compared when it is let go.
-  void move_plane(const MirrorPlane& plane);
-  void let_go();
+  /// The holes are compared when it is let go.
+  void move_plane(const MirrorPlane& plane) override;
+  void let_go() override;
+  Sides sides() const override { return Sides::alike; }
   /// Whether fills of this scan copy from the image where it fits.
   enum class Use { no, where_it_fits };
   void use(Use use);
@@ -50,9 +52,6 @@ class MirrorGuide : public QObject {
   bool is_of_selection() const { return !selection_.selected().empty(); }
   Use use() const { return document_.mirror_plane(scan_) ? Use::where_it_fits : Use::no; }
   bool shut_down(std::chrono::milliseconds at_most);
-
- Q_SIGNALS:
-  void changed();
 
  private:
   void follow();

@@ -13,6 +13,7 @@
 #include "pipeline/join_tiles.h"
 #include "pipeline/scan_job.h"
 #include "pipeline/tile_outlines.h"
+#include "repair/base.h"
 #include "repair/inverted_shells.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
@@ -201,6 +202,34 @@ RepairedScan bridged(const ScanRepairTask& task) {
   return result;
 }
 
+RepairedScan based(const ScanRepairTask& task) {
+  const OpenedScan& old = *task.opened;
+  const BoundaryLoop& loop = task.loops.front();
+  return {task.scan, made_scan(with_base(*old.model, loop, task.base_distance), old.name, old.origin),
+          FillController::tr("Base of %1").arg(old.name),
+          FillController::tr("%1: a base closes hole %2; Ctrl+Z takes it back.").arg(old.name).arg(loop.number),
+          NewPoints{}};
+}
+
+/// With its patches, which are a part of what is cut.
+RepairedScan cut_off(const ScanRepairTask& task) {
+  const OpenedScan& old = *task.opened;
+  SurfaceModel base = *old.model;
+  for (const OpenPatch& open : task.patches) append_colored_patch(base, patch_geometry(open.state->patch));
+  CutSurface cut = cut_by_plane(base.soup, task.cut_plane);
+  const auto n = [](std::size_t count) { return static_cast<int>(count); };
+  QStringList done{FillController::tr("%Ln face(s) cut off", nullptr, n(cut.counts.removed_faces)),
+                   FillController::tr("%Ln face(s) divided", nullptr, n(cut.counts.divided_faces))};
+  if (cut.counts.new_faces > 0)
+    done << FillController::tr("section closed by %Ln face(s)", nullptr, n(cut.counts.new_faces));
+  if (cut.counts.left_open > 0)
+    done << FillController::tr("%Ln curve(s) of it left open", nullptr, n(cut.counts.left_open));
+  RepairedScan result{task.scan, made_scan(std::move(cut.soup), old.name, old.origin),
+                      FillController::tr("Plane cut of %1").arg(old.name), sentence_of(old, done)};
+  result.joined_patches = static_cast<int>(task.patches.size());
+  return result;
+}
+
 /// Whether something is erased within a patch, or in the two rings around it: then its boundary is another.
 bool is_touched(const Patch& patch, const OpenedScan& scan, int first_point, const std::vector<char>& erased) {
   for (int i = 0; i < patch.vertex_count(); ++i) {
@@ -313,12 +342,15 @@ std::optional<RepairedScan> repaired_scan(ScanRepair what, const ScanRepairTask&
     case ScanRepair::repair: result = repaired(task); break;
     case ScanRepair::bridge: result = bridged(task); break;
     case ScanRepair::erase: result = erased(task); break;
+    case ScanRepair::base: result = based(task); break;
+    case ScanRepair::plane_cut: result = cut_off(task); break;
     case ScanRepair::part: result = parted(task); break;
     case ScanRepair::turn_around: result = turned_around(task); break;
   }
   if (!result || !result->made) return result;
   result->made->repaired_from = task.opened->from == ScanOrigin::file ? task.opened->path : task.opened->repaired_from;
-  if (what == ScanRepair::bridge || what == ScanRepair::erase)
+  if (what == ScanRepair::bridge || what == ScanRepair::erase || what == ScanRepair::base ||
+      what == ScanRepair::plane_cut)
     keep_laid_points(*task.opened, *result->made);
   else if (result->made->laid.empty())
     result->made->laid = task.opened->laid;

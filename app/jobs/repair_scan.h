@@ -6,6 +6,7 @@
 #include "jobs/carry_patches.h"
 #include "jobs/load_scan.h"
 #include "mesh/boundary_loops.h"
+#include "repair/plane_cut.h"
 #include "repair/repair_surface.h"
 
 #include <QString>
@@ -26,8 +27,10 @@ struct ScanRepairTask {
   std::shared_ptr<const OpenedScan> opened;
   std::vector<BoundaryLoop> loops;
   std::array<int, 2> bridge_ends{-1, -1};  ///< soup points
-  int part_to_fill = -1;    ///< a soup point of the boundary, in the part that is filled next; −1: neither
-  std::vector<int> erased;  ///< points of the scan, its patches' own after them, in the order of `patches`
+  CutPlane cut_plane{};
+  double base_distance = 0;  ///< below the surface, mesh units
+  int part_to_fill = -1;     ///< a soup point of the boundary, in the part that is filled next; −1: neither
+  std::vector<int> erased;   ///< points of the scan, its patches' own after them, in the order of `patches`
   std::set<Defect> defects = harmless_repairs;  ///< to be repaired
   std::vector<OpenPatch> patches{};             ///< all of the scan
   int first_loop = 0;                           ///< of the scan, in the numbers of the patches' loops

@@ -87,6 +87,8 @@ QString nothing_to_repair(ScanRepair what) {
     case ScanRepair::repair: return FillController::tr("There is nothing to repair.");
     case ScanRepair::part: return FillController::tr("No vertex was found at which the boundary could be parted.");
     case ScanRepair::bridge:
+    case ScanRepair::base:
+    case ScanRepair::plane_cut:
     case ScanRepair::turn_around:
     case ScanRepair::erase: break;
   }
@@ -102,6 +104,8 @@ QString repair_title(ScanRepair what) {
     case ScanRepair::repair: return FillController::tr("Repairing the scan");
     case ScanRepair::bridge: return FillController::tr("Bridging a hole");
     case ScanRepair::erase: return FillController::tr("Erasing a region");
+    case ScanRepair::base: return FillController::tr("Building a base");
+    case ScanRepair::plane_cut: return FillController::tr("Cutting by a plane");
     case ScanRepair::part: return FillController::tr("Parting a boundary");
     case ScanRepair::turn_around: return FillController::tr("Turning the scan around");
   }

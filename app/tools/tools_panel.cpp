@@ -24,7 +24,7 @@ QGroupBox* group(const QString& title, QWidget* content) {
 }  // namespace
 
 ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MirrorBox* mirror,
-                       MeasureBox* measure, ProblemBox* trial, QWidget* parent)
+                       CutBox* cut, MeasureBox* measure, ProblemBox* trial, QWidget* parent)
     : QScrollArea(parent),
       trial_(trial) {
   setObjectName(QStringLiteral("toolsPanel"));
@@ -57,6 +57,8 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
          Tool::edges);
   choice("toolMirror", tr("Mirror"), tr("See the plane of symmetry, and what its image would fill (Shift+M)"),
          Tool::mirror);
+  choice("toolCut", tr("Plane cut"), tr("Cut off one side of a plane, and close the section flat (Shift+X)"),
+         Tool::cut);
   choice("toolMeasure", tr("Distance"), tr("The distance between two vertices (D)"), Tool::measure);
   auto* none = make_note(
       "toolsHint",
@@ -64,7 +66,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
          "of a polyhedron; Blend joins boundaries of one or several parts; Bridge parts a hole into two; Fill part "
          "closes "
          "a hole between two of its vertices; Edges shows where sharp edges run on; Mirror what the other side of the "
-         "scan would fill; Distance measures between two "
+         "scan would fill; Plane cut removes one side of a plane; Distance measures between two "
          "vertices."));
   none->setAlignment(Qt::AlignTop);
   auto* bridge = make_note(
@@ -85,6 +87,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
             group(tr("Fill a part of a hole"), fill_part),
             group(tr("Sharp edges across holes"), edges),
             group(tr("Mirror image"), mirror),
+            group(tr("Plane cut"), cut),
             group(tr("Distance"), measure)};
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -96,7 +99,7 @@ ToolsPanel::ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, Ed
   layout->addStretch(1);
   setWidget(content);
   int widest = 0;
-  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, edges, mirror, measure, trial})
+  for (QWidget* part : std::initializer_list<QWidget*>{region, points, blend, edges, mirror, cut, measure, trial})
     widest = std::max(widest, part->minimumSizeHint().width());
   constexpr int frames = 46;  // of the boxes, and the dock's own margins
   setMinimumWidth(widest + frames);

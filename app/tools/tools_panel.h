@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tools/blend_box.h"
+#include "tools/cut_box.h"
 #include "tools/edges_box.h"
 #include "tools/measure_box.h"
 #include "tools/mirror_box.h"
@@ -16,7 +17,7 @@ class QPushButton;
 
 namespace loopmend {
 
-enum class Tool { none, region, points, blend, bridge, fill_part, edges, mirror, measure };
+enum class Tool { none, region, points, blend, bridge, fill_part, edges, mirror, cut, measure };
 /// Whether what it makes is tried out before it is accepted.
 constexpr bool makes_surfaces(Tool tool) { return tool == Tool::region || tool == Tool::points || tool == Tool::blend; }
 
@@ -24,7 +25,7 @@ class ToolsPanel : public QScrollArea {
   Q_OBJECT
 
  public:
-  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MirrorBox* mirror,
+  ToolsPanel(RegionBox* region, PointsBox* points, BlendBox* blend, EdgesBox* edges, MirrorBox* mirror, CutBox* cut,
              MeasureBox* measure, ProblemBox* trial, QWidget* parent = nullptr);
 
   Tool tool() const { return tool_; }

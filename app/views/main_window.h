@@ -104,6 +104,8 @@ class MainWindow : public QMainWindow {
   void step_back();
   void update_actions();
   void ask_about(const RepairQuestion& question);
+  void connect_close_as();
+  void update_close_as();
   void connect_problems();
   /// A scan that brings its own colours is shown in them.
   void follow_scan_colors();

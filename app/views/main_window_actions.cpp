@@ -4,6 +4,7 @@
 
 #include "compare/compare_controller.h"
 #include "dialogs/about.h"
+#include "dialogs/base_dialog.h"
 #include "dialogs/batch_dialog.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/help_window.h"
@@ -64,6 +65,11 @@ constexpr std::pair<const char*, Shading> shadings[] = {
     {"scanColors", Shading::scan},    {"curvature", Shading::curvature}, {"gaussian", Shading::gaussian},
     {"plain", Shading::plain},        {"zebra", Shading::zebra},         {"isophotes", Shading::isophotes},
     {"deviation", Shading::deviation}};
+
+constexpr std::pair<const char*, std::optional<SeamContinuity>> close_as[] = {
+    {"closeAsAutomatic", std::nullopt},
+    {"closeAsTangent", SeamContinuity::tangent},
+    {"closeAsFlat", SeamContinuity::position}};
 
 /// A window of its own that goes when it is closed.
 template <class Dialog, class... Arguments>
@@ -221,13 +227,39 @@ void MainWindow::connect_patch_actions() {
                                    {"toolFillPartAction", Tool::fill_part},
                                    {"toolEdgesAction", Tool::edges},
                                    {"toolMirrorAction", Tool::mirror},
+                                   {"toolCutAction", Tool::cut},
                                    {"toolMeasureAction", Tool::measure}})
     a.on(name, this, [this, wanted = tool] {
       findChild<QDockWidget*>(QStringLiteral("toolsDock"))->show();
       tools_->take(tools_->panel()->tool() == wanted ? Tool::none : wanted);
     });
+  connect_close_as();
   a.on("compare", this, [this] { compare_->compare_holes(look_->look()); });
   a.on("cancelAction", this, &MainWindow::step_back);
+}
+
+void MainWindow::connect_close_as() {
+  for (const auto& [name, shape] : close_as)
+    actions_->on(name, this, [this, wanted = shape] {
+      controller_.choose_shape(selection_.selected(), wanted);
+      update_actions();  // an action that was checked already must stay so
+    });
+  actions_->on("closeAsBase", this, [this] { ask_base(*selection_.selected().begin(), document_, controller_, this); });
+}
+
+void MainWindow::update_close_as() {
+  const std::set<int>& selected = selection_.selected();
+  const bool is_asked = !controller_.busy() && !selected.empty();
+  const auto has = [&](int loop) { return document_.present(loop) && document_.loop(loop).kind != LoopKind::cut; };
+  const bool possible = is_asked && std::all_of(selected.begin(), selected.end(), has);
+  for (const auto& [name, shape] : close_as) {
+    QAction* action = (*actions_)[name];
+    action->setEnabled(possible);
+    action->setChecked(possible && std::all_of(selected.begin(), selected.end(), [&, wanted = shape](int loop) {
+                         return document_.chosen_shape(loop) == wanted;
+                       }));
+  }
+  (*actions_)["closeAsBase"]->setEnabled(possible && selected.size() == 1 && !document_.patch_of(*selected.begin()));
 }
 
 /// Names the holes that could not be filled, until the next fill or until one of them is filled or gone.
@@ -302,10 +334,11 @@ void MainWindow::update_actions() {
   a["undo"]->setText(undo_.can_undo() ? tr("&Undo: %1").arg(undo_.undo_text()) : tr("&Undo"));
   a["redo"]->setText(undo_.can_redo() ? tr("&Redo: %1").arg(undo_.redo_text()) : tr("&Redo"));
   for (QAction* action : a.all("export saveSession saveSessionAs")) action->setEnabled(idle && scan);
-  for (QAction* action : a.all("add compare toolRegionAction toolPointsAction toolBlendAction toolBridgeAction "
-                               "toolFillPartAction toolEdgesAction toolMirrorAction toolMeasureAction clip screenshot "
-                               "frame orthographic hidePiece isolatePiece probe wireframe seams tint selectAll nextHole "
-                               "previousHole curvature gaussian plain zebra isophotes"))
+  for (QAction* action :
+       a.all("add compare toolRegionAction toolPointsAction toolBlendAction toolBridgeAction "
+             "toolFillPartAction toolEdgesAction toolMirrorAction toolCutAction toolMeasureAction clip screenshot "
+             "frame orthographic hidePiece isolatePiece probe wireframe seams tint selectAll nextHole "
+             "previousHole curvature gaussian plain zebra isophotes"))
     action->setEnabled(scan);
   a["film"]->setEnabled(idle && has_film(document_, chosen_patches(document_, selection_)));
   a["report"]->setEnabled(idle && !document_.patches().empty());
@@ -327,6 +360,7 @@ void MainWindow::update_actions() {
   a["stitchAction"]->setText(cracks > 0 ? tr("Stitc&h %Ln crack(s)", nullptr, cracks) : tr("Stitc&h cracks"));
   follow("repairAction", "repair");
   follow("prepareAction", "prepare");
+  update_close_as();
   follow("turnAroundAction", "repair");
   const auto touches = [this](int loop) { return document_.present(loop) && touches_itself(document_.loop(loop)); };
   a["eraseRingAction"]->setEnabled(idle && !loops_to_fill(document_, selection_).empty() &&

@@ -34,7 +34,9 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
       edges_(new EdgesTool(document, visibility, *edge_guide_, this)),
       mirror_guide_(new MirrorGuide(
           document, selection, [&controller](int scan) { return controller.context_of(scan); }, this)),
-      mirror_(new MirrorTool(document, *mirror_guide_, this)),
+      mirror_(new PlaneTool(document, *mirror_guide_, this)),
+      cut_guide_(new CutGuide(document, selection, this)),
+      cut_(new PlaneTool(document, *cut_guide_, this)),
       trial_(new ProblemController(document, controller, this)),
       place_(new PlacePart(document, controller, this)),
       points_box_(new PointsBox(document, *points_)),
@@ -42,7 +44,8 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
       trial_box_(new ProblemBox(*trial_)),
       region_box_(new RegionBox(*region_)),
       panel_(new ToolsPanel(region_box_, points_box_, blend_box_, new EdgesBox(*edge_guide_),
-                            new MirrorBox(document, *mirror_guide_), new MeasureBox(document, *measure_), trial_box_)) {
+                            new MirrorBox(document, *mirror_guide_), new CutBox(*cut_guide_, controller),
+                            new MeasureBox(document, *measure_), trial_box_)) {
   connect(panel_, &ToolsPanel::tool_wanted, this, &ToolController::take);
   connect(panel_, &ToolsPanel::tool_chosen, this, &ToolController::on_tool);
   connect(region_, &RegionTool::changed, this, [this] {
@@ -64,7 +67,8 @@ ToolController::ToolController(Document& document, const SceneVisibility& visibi
   connect(bridge_, &BridgeTool::changed, &view_, &MeshView::update_tool);
   connect(measure_, &MeasureTool::changed, &view_, &MeshView::update_tool);
   connect(edges_, &EdgesTool::changed, &view_, &MeshView::update_tool);
-  connect(mirror_, &MirrorTool::changed, this, &ToolController::show_mirrored);
+  connect(mirror_, &PlaneTool::changed, this, &ToolController::show_mirrored);
+  connect(cut_, &PlaneTool::changed, &view_, &MeshView::update_tool);
   for (auto signal : {&Document::opened, &Document::scans_changed, &Document::patches_changed})
     connect(&document_, signal, measure_, &MeasureTool::clear);
   connect(bridge_, &BridgeTool::bridge_wanted, &controller, &FillController::bridge);
@@ -134,6 +138,7 @@ void ToolController::on_tool(Tool tool) {
   edge_guide_->watch(tool == Tool::edges ? EdgeGuide::Watch::open_holes : EdgeGuide::Watch::nothing);
   if (tool != Tool::mirror && !mirror_guide_->fits().empty()) view_.show_ghosts({});
   mirror_guide_->watch(tool == Tool::mirror ? MirrorGuide::Watch::scan : MirrorGuide::Watch::nothing);
+  cut_guide_->watch(tool == Tool::cut ? CutGuide::Watch::scan : CutGuide::Watch::nothing);
   switch (tool) {
     case Tool::none: view_.set_tool(nullptr); break;
     case Tool::region: view_.set_tool(region_); break;
@@ -146,6 +151,7 @@ void ToolController::on_tool(Tool tool) {
       break;
     case Tool::edges: view_.set_tool(edges_); break;
     case Tool::mirror: view_.set_tool(mirror_); break;
+    case Tool::cut: view_.set_tool(cut_); break;
     case Tool::measure: view_.set_tool(measure_); break;
   }
   show_region();
@@ -189,6 +195,7 @@ void ToolController::update_wanting() {
     case Tool::fill_part:
     case Tool::edges:
     case Tool::mirror:
+    case Tool::cut:
     case Tool::measure: break;
     case Tool::region: words = region_->count() > 0 ? QString() : tr("Paint a region first."); break;
     case Tool::points: words = points_box_->wanting(); break;
@@ -231,6 +238,7 @@ ProblemRequest ToolController::request() const {
     case Tool::fill_part:
     case Tool::edges:
     case Tool::mirror:
+    case Tool::cut:
     case Tool::measure: break;
     case Tool::region: return region_request();
     case Tool::points: return points_request();

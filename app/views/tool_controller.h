@@ -2,6 +2,7 @@
 // Region, points, blend: wires the tools in hand, the box they end in, and the picture.
 #pragma once
 
+#include "jobs/cut_guide.h"
 #include "jobs/edge_guide.h"
 #include "jobs/mirror_guide.h"
 #include "jobs/place_part.h"
@@ -9,7 +10,7 @@
 #include "tools/bridge_tool.h"
 #include "tools/edges_tool.h"
 #include "tools/measure_tool.h"
-#include "tools/mirror_tool.h"
+#include "tools/plane_tool.h"
 #include "tools/tools_panel.h"
 
 #include <QObject>
@@ -36,7 +37,9 @@ class ToolController : public QObject {
   MeasureTool& measure() { return *measure_; }
   EdgesTool& edges() { return *edges_; }
   EdgeGuide& edge_guide() { return *edge_guide_; }
-  MirrorTool& mirror() { return *mirror_; }
+  PlaneTool& mirror() { return *mirror_; }
+  PlaneTool& cut() { return *cut_; }
+  CutGuide& cut_guide() { return *cut_guide_; }
   MirrorGuide& mirror_guide() { return *mirror_guide_; }
 
   void take(Tool tool);
@@ -91,7 +94,9 @@ class ToolController : public QObject {
   EdgeGuide* edge_guide_;
   EdgesTool* edges_;
   MirrorGuide* mirror_guide_;
-  MirrorTool* mirror_;
+  PlaneTool* mirror_;
+  CutGuide* cut_guide_;
+  PlaneTool* cut_;
   ProblemController* trial_;
   PlacePart* place_;
   PointsBox* points_box_;

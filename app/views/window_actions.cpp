@@ -30,6 +30,8 @@ void put(QMenu* menu, const QList<QAction*>& actions) {
       menu->addSeparator();
 }
 
+constexpr char close_as_names[] = "closeAsAutomatic closeAsTangent closeAsFlat - closeAsBase";
+
 }  // namespace
 
 struct WindowActions::Spec {
@@ -38,7 +40,7 @@ struct WindowActions::Spec {
   const char* help;
   const char* keys = "";       ///< several are separated by "; "; the first is shown
   const char* icon = nullptr;  ///< in resources/icons; may be null
-  enum Kind { plain, toggle, choice, up_choice, navigation_choice } kind = plain;
+  enum Kind { plain, toggle, choice, up_choice, navigation_choice, shape_choice } kind = plain;
 };
 
 /// In the order of the menus.
@@ -130,6 +132,15 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
        "Ctrl+F; T"},
       {"initialAction", QT_TR_NOOP("Initial &patch only"),
        QT_TR_NOOP("Close the selected holes, or all; no flow runs yet"), "Ctrl+Shift+F"},
+      {"closeAsAutomatic", QT_TR_NOOP("&Automatic"),
+       QT_TR_NOOP("Close the selected holes as the options of the flow say"), "", nullptr, Spec::shape_choice},
+      {"closeAsTangent", QT_TR_NOOP("&Tangent"),
+       QT_TR_NOOP("Close the selected holes without a crease, whatever their curvature"), "", nullptr,
+       Spec::shape_choice},
+      {"closeAsFlat", QT_TR_NOOP("&Flat"), QT_TR_NOOP("Close the selected holes by a plane, or by a taut skin"), "",
+       nullptr, Spec::shape_choice},
+      {"closeAsBase", QT_TR_NOOP("&Base\u2026"),
+       QT_TR_NOOP("Close the selected loop for a print: a straight wall to a plane below the surface")},
       {"prepareAction", QT_TR_NOOP("Prepare the sca&n"),
        QT_TR_NOOP("Stitch, repair and trim where the scan needs that to be filled, and change nothing else")},
       {"trimAction", QT_TR_NOOP("Tri&m the boundary"),
@@ -167,6 +178,8 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
        QT_TR_NOOP("See, remove or draw the sharp edges that run on across holes"), "Shift+E"},
       {"toolMirrorAction", QT_TR_NOOP("&Mirror image\u2026"),
        QT_TR_NOOP("See the plane of symmetry, and what its image would fill"), "Shift+M"},
+      {"toolCutAction", QT_TR_NOOP("Plane c&ut\u2026"),
+       QT_TR_NOOP("Cut off one side of a plane, and close the section flat"), "Shift+X"},
       {"toolMeasureAction", QT_TR_NOOP("&Distance"), QT_TR_NOOP("The distance between two vertices"), "D"},
       {"candidatesAction", QT_TR_NOOP("&Other patches\u2026"),
        QT_TR_NOOP("Compute other patches for the selected hole, see them side by side, take one"), "V"},
@@ -188,8 +201,10 @@ const std::vector<WindowActions::Spec>& WindowActions::specs() {
 
 WindowActions::WindowActions(QMainWindow* window) : QObject(window), window_(window) {
   std::map<Spec::Kind, QActionGroup*> choices;
-  for (const auto kind : {Spec::choice, Spec::up_choice, Spec::navigation_choice})
+  for (const auto kind : {Spec::choice, Spec::up_choice, Spec::navigation_choice, Spec::shape_choice})
     choices[kind] = new QActionGroup(this);
+  // Selected holes of several shapes have none in common.
+  choices[Spec::shape_choice]->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const Spec& spec : specs()) {
     auto* action = new QAction(tr(spec.text), window);
     action->setObjectName(QLatin1String(spec.name));
@@ -221,6 +236,10 @@ QMenu* WindowActions::make_hole_menu() {
   put(menu, all("fillAction initialAction runAction - toolFillPartAction - prepareAction trimAction trimCrossingAction "
                 "eraseRingAction stitchAction repairAction toolBridgeAction partAction - candidatesAction acceptAction "
                 "rejectAction - compare copyAction"));
+  auto* close_as = new QMenu(tr("&Close as"), menu);
+  close_as->setObjectName(QStringLiteral("closeAsMenu"));
+  put(close_as, all(close_as_names));
+  menu->insertMenu((*this)["runAction"], close_as);
   return menu;
 }
 
@@ -252,15 +271,17 @@ void WindowActions::build_menus(const QList<QAction*>& docks) {
   QMenu* navigation = add_menu(tr("&Navigation"),
                                "navigateLoopmend navigateBlender navigateMeshLab navigateCad - navigationSheet", view);
   for (QMenu* menu : {up, navigation}) view->insertMenu((*this)["orthographic"], menu);
-  add_menu(tr("&Patch"),
-           "fillAction initialAction - prepareAction trimAction trimCrossingAction eraseRingAction stitchAction "
-           "partAction turnAroundAction repairAction - runAction stepAction playAction nextStateAction - compare - "
-           "candidatesAction "
-           "acceptAction rejectAction "
-           "copyAction - cancelAction");
+  QMenu* patch =
+      add_menu(tr("&Patch"),
+               "fillAction initialAction - prepareAction trimAction trimCrossingAction eraseRingAction stitchAction "
+               "partAction turnAroundAction repairAction - runAction stepAction playAction nextStateAction - compare - "
+               "candidatesAction "
+               "acceptAction rejectAction "
+               "copyAction - cancelAction");
+  patch->insertMenu((*this)["runAction"], add_menu(tr("&Close as"), close_as_names, patch));
   add_menu(tr("&Tools"),
            "compare - toolRegionAction toolPointsAction toolBlendAction toolBridgeAction toolFillPartAction "
-           "toolEdgesAction toolMirrorAction - toolMeasureAction");
+           "toolEdgesAction toolMirrorAction toolCutAction - toolMeasureAction");
   add_menu(tr("&Help"), "help palette shortcuts - about");
 }
 

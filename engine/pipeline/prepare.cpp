@@ -152,9 +152,22 @@ PrepareOptions::Base base_of(const std::string& text) {
   return {static_cast<int>(*loop), *distance};
 }
 
+CutPlane cut_plane_of(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    numbers.push_back(number_in(std::string_view(text).substr(from, to - from)).value_or(std::nan("")));
+    from = to + 1;
+  }
+  if (numbers.size() != 6 || std::ranges::any_of(numbers, [](double x) { return std::isnan(x); }))
+    throw InvalidArgument(
+        say("--cut-plane takes a point and a normal, six numbers such as 0,0,5,0,0,1, not '%1'", text));
+  return make_cut_plane({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]});
+}
+
 bool Preparation::changed_nothing() const {
-  return !stitched && !repaired && sides_turned == 0 && bridges == 0 && tiles.removed_faces == 0 && base_loop == 0 &&
-         no_data_faces.value_or(0) == 0;
+  return !stitched && !repaired && !cut && sides_turned == 0 && bridges == 0 && tiles.removed_faces == 0 &&
+         base_loop == 0 && no_data_faces.value_or(0) == 0;
 }
 
 Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeModel& make_model,
@@ -216,6 +229,11 @@ Preparation prepare(SurfaceModel& model, PrepareOptions& options, const MakeMode
   for (const auto& [a, b] : options.bridges) {
     replace(bridged(model, a, b));
     ++done.bridges;
+  }
+  if (options.cut_plane) {
+    CutSurface cut = cut_by_plane(model.soup, *options.cut_plane);
+    done.cut = cut.counts;
+    replace(std::move(cut.soup));
   }
   if (options.base) replace(based(model, *options.base, done.base_loop));
   if (!where_needed) return done;

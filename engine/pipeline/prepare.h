@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done to a scan before its loops are chosen: faces of missing data removed, boundaries stitched, defects repaired, strips
-// laid across holes, a base built.
+// laid across holes, a plane cut made, a base built.
 #pragma once
 
 #include "core/cancel.h"
 #include "mesh/no_data.h"
 #include "mesh/surface_model.h"
 #include "pipeline/join_tiles.h"
+#include "repair/plane_cut.h"
 #include "repair/repair_surface.h"
 #include "repair/stitch_boundaries.h"
 
@@ -38,6 +39,7 @@ struct PrepareOptions {
     double distance = 0;
   };
   std::optional<Base> base;
+  std::optional<CutPlane> cut_plane;         ///< what lies before it is removed, and the section closed; before a base
   std::vector<std::pair<int, int>> bridges;  ///< input vertices between which a strip is laid
   int trim_rounds = 0;                       ///< rings of bad boundary triangles to be removed, 0..100
   /// Without rings: boundary triangles that run through the surface, so that their hole could not be filled, are removed.
@@ -52,6 +54,9 @@ StitchTolerance stitch_tolerance_of(const std::string& text);
 /// "5", or "2:5" for loop 2. @throws InvalidArgument for anything else.
 PrepareOptions::Base base_of(const std::string& text);
 
+/// Six numbers: "0,0,5,0,0,1". @throws InvalidArgument for anything else.
+CutPlane cut_plane_of(const std::string& text);
+
 /// What was done to the mesh.
 struct Preparation {
   std::optional<StitchedSurface> stitched;  ///< without its soup
@@ -59,7 +64,8 @@ struct Preparation {
   std::size_t joined_again = 0;  ///< vertices at cracks that the repair left, where both stitching and repair are done
   JoinedTiles tiles;             ///< that overlapped, with a length as tolerance of stitching
   std::size_t bridges = 0;
-  std::size_t sides_turned = 0;              ///< faces, all of the mesh where that was asked for
+  std::size_t sides_turned = 0;  ///< faces, all of the mesh where that was asked for
+  std::optional<PlaneCutCounts> cut;
   int base_loop = 0;                         ///< under which a base was built; 0: none
   NoDataVertices no_data;                    ///< that were found
   std::optional<std::size_t> no_data_faces;  ///< that were removed there, where it was asked for

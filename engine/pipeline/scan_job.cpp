@@ -2,6 +2,7 @@
 #include "pipeline/scan_job.h"
 
 #include "core/error.h"
+#include "core/path_text.h"
 #include "core/system_memory.h"
 #include "mesh/loop_facing.h"
 #include "mesh/pieces.h"
@@ -300,6 +301,13 @@ std::map<std::optional<SeamContinuity>, std::vector<BoundaryLoop>> loops_of_each
   return loops;
 }
 
+/// @throws InvalidArgument where vertices are named that have other numbers by then.
+void check_numbering(const ScanJob& job) {
+  const bool names_edges = job.fill.evolution && !job.fill.evolution->edge_edits.empty();
+  if (job.prepare.cut_plane && (!job.loops.at_vertices.empty() || names_edges))
+    throw InvalidArgument(say("--cut-plane renumbers the vertices: name those of the file that it writes, later"));
+}
+
 /// @throws InvalidArgument where a shape is named that the flow does not know.
 void check_shapes(const ScanPlan& plan, const ScanJob& job) {
   const bool named = std::any_of(plan.choices.begin(), plan.choices.end(),
@@ -395,7 +403,7 @@ bool needs_whole_view(const ScanJob& job) {
   const PrepareOptions& prepare = job.prepare;
   return prepare.extent == PrepareOptions::Extent::where_needed || prepare.stitch == PrepareOptions::Stitch::yes ||
          prepare.sides == PrepareOptions::Sides::turned || prepare.no_data == PrepareOptions::NoData::cut ||
-         !prepare.repair.empty() || !prepare.bridges.empty() || prepare.base || prepare.trims();
+         !prepare.repair.empty() || !prepare.bridges.empty() || prepare.cut_plane || prepare.base || prepare.trims();
 }
 
 ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, const CancelToken& cancel,
@@ -409,7 +417,13 @@ ScanPlan plan_scan(SoupRecord given, SurfaceModel model, const ScanJob& asked, c
     is_replaced = true;
     return model_from(job.source, std::move(soup));
   };
-  plan.done = prepare(plan.model, job.prepare, make_model, cancel, on_step);
+  check_numbering(job);
+  try {
+    plan.done = prepare(plan.model, job.prepare, make_model, cancel, on_step);
+  } catch (const InvalidArgument& error) {
+    if (!job.prepare.cut_plane || job.source.empty()) throw;
+    throw InvalidArgument(say("%1: %2", path_text(job.source), error.message()));
+  }
   if (is_replaced) plan.given = record_of(plan.model.soup, plan.model.turned_faces);
   plan.loops = find_boundary_loops(plan.model);
   plan.choices = choose_loops(plan.model, plan.loops, job.loops);

@@ -117,6 +117,7 @@ def fill(
     union: bool = False,
     cut_handles: bool = False,
     cut_no_data: bool = False,
+    cut_plane: Optional[Sequence[float]] = None,
     base: Union[None, float, Tuple[int, float]] = None,
     bridges: Sequence[Tuple[int, int]] = (),
     trim_boundary: int = 0,
@@ -182,6 +183,8 @@ def fill(
         cut_handles: the same as repair, and cuts open handles of at most eight edges and a 25th of
             the extent of their component, for their holes to be filled.
         cut_no_data: removes the faces at vertices that mark missing data first, such as heights of -9999.
+        cut_plane: cuts by a plane first: x, y, z of a point in it and of its normal. What lies on the side of the normal is removed,
+            and the section is closed by plane faces.
         base: builds a base first under the largest loop, a straight wall to a plane so far below it, as ``base=5.0``; or under
             another loop, as ``base=(2, 5.0)``.
         bridges: pairs of boundary vertices between which a strip is laid first, to part a complex hole.
@@ -222,6 +225,7 @@ def fill(
         "mirror_plane": None if mirror_plane is None else [float(x) for x in mirror_plane], "stitch": stitch, "auto": auto,
         "turn_around": turn_around, "repair": repair,
         "cut_intersections": cut_intersections, "union": union, "cut_handles": cut_handles, "cut_no_data": cut_no_data,
+        "cut_plane": None if cut_plane is None else [float(x) for x in cut_plane],
         "base": None if base is None else f"{base[0]}:{base[1]}" if isinstance(base, tuple) else str(base),
         "bridges": [(int(a), int(b)) for a, b in bridges],
         "drawn_edges": [(int(a), int(b)) for a, b in drawn_edges], "stopped_edges": [int(v) for v in stopped_edges],

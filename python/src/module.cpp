@@ -78,6 +78,10 @@ PrepareOptions prepare_options(const py::dict& options) {
   if (cut_handles) prepare.repair.insert(Defect::handles);
   if (unite) prepare.repair.insert(Defect::overlaps);
   if (const auto base = option<std::optional<std::string>>(options, "base")) prepare.base = base_of(*base);
+  if (!options["cut_plane"].is_none()) {
+    const auto plane = option<std::array<double, 6>>(options, "cut_plane");
+    prepare.cut_plane = make_cut_plane({plane[0], plane[1], plane[2]}, {plane[3], plane[4], plane[5]});
+  }
   if (option<bool>(options, "cut_no_data")) prepare.no_data = PrepareOptions::NoData::cut;
   prepare.bridges = option<std::vector<std::pair<int, int>>>(options, "bridges");
   if (option<bool>(options, "trim_crossing")) prepare.trim_pierced = PrepareOptions::TrimPierced::yes;

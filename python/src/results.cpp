@@ -105,6 +105,10 @@ py::dict preparation(const FilledScan& done) {
                  "removed_faces"_a = repaired.removed_faces, "overlapping_bodies"_a = repaired.overlapping_bodies,
                  "union"_a = union_figures(repaired.united));
   }
+  if (const auto& cut = done.prepared.cut)
+    counts["plane_cut"] =
+        py::dict("removed_faces"_a = cut->removed_faces, "divided_faces"_a = cut->divided_faces,
+                 "closed_curves"_a = cut->closed, "open_curves"_a = cut->left_open, "new_faces"_a = cut->new_faces);
   if (done.prepared.base_loop > 0) counts["base_loop"] = done.prepared.base_loop;
   if (done.prepared.no_data_faces) counts["no_data_faces"] = *done.prepared.no_data_faces;
   if (done.prepared.joined_again > 0) counts["joined_again"] = done.prepared.joined_again;

@@ -85,6 +85,27 @@ TEST(CommandLine, DifferentRecipesAreFilledOneAfterTheOther) {
   EXPECT_TRUE(lines[1].endsWith(QStringLiteral(" --flow none")));
 }
 
+/// One command names the shape of each loop; where other options differ, each shape is a step of its own.
+TEST(CommandLine, NamesTheShapeOfEachLoop) {
+  SheetDocument document;
+  RunRecipe flat = steady(FlowKind::mmcvf);
+  flat.continuity = SeamContinuity::position;
+  const int first = add_patch(document, {square}, made_by(1, {flat}));
+  const QString head = QStringLiteral("loopmend fill /scans/sheet.ply -o /scans/sheet-filled.ply");
+  EXPECT_EQ(command_line(document, {first}).text, head + QStringLiteral(" --loops 2:flat --flow mmcvf"));
+  const int smooth = add_patch(document, {diamond}, made_by(1, {steady(FlowKind::mmcvf)}));
+  EXPECT_EQ(command_line(document, {first, smooth}).text, head + QStringLiteral(" --loops 2:flat,3 --flow mmcvf"));
+  document.replace({smooth}, {});
+  const int also_flat = add_patch(document, {diamond}, made_by(1, {flat}));
+  EXPECT_EQ(command_line(document, {first, also_flat}).text,
+            head + QStringLiteral(" --continuity position --flow mmcvf"));
+  document.replace({also_flat}, {});
+  const int dense = add_patch(document, {diamond}, made_by(2, {flat}));
+  const QStringList lines = command_line(document, {first, dense}).text.split(QLatin1Char('\n'));
+  ASSERT_EQ(lines.size(), 2);
+  for (const QString& line : lines) EXPECT_TRUE(line.contains(QStringLiteral("--continuity position")));
+}
+
 TEST(CommandLine, MakesTheSampleFirst) {
   Document document;
   document.add_scan(scan_from({}, ScanOrigin::sample));

@@ -155,13 +155,15 @@ struct SessionTest : testing::Test {
 };
 
 TEST_F(SessionTest, ComesBackWithEveryFieldAsItWas) {
-  const Session out = whole_session();
+  Session out = whole_session();
+  out.scans[0].shapes = {{2, SeamContinuity::position}, {3, SeamContinuity::tangent}};
   write_session(out, path("all.loopmend"));
   const Session in = session_from_file(path("all.loopmend"));
   ASSERT_EQ(in.scans.size(), 2u);
   EXPECT_EQ(in.scans[0].path, path("scan.ply"));
   EXPECT_EQ(in.scans[0].fingerprint, document.scan(0)->fingerprint);
   EXPECT_EQ(in.scans[0].made, nullptr);
+  EXPECT_EQ(in.scans[0].shapes, out.scans[0].shapes);
   EXPECT_EQ(in.scans[1].path, QString());
   EXPECT_EQ(in.scans[1].name, QStringLiteral("sheet"));
   ASSERT_NE(in.scans[1].made, nullptr);

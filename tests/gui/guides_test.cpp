@@ -117,9 +117,9 @@ void GuidesTest::a_mirror_image_is_seen_and_copied() {
 
   // It can be dragged; planes that were found come back, and only the best one has something to copy.
   const MirrorPlane found = *guide.plane();
-  MirrorTool& tool = window.tools().mirror();
+  PlaneTool& tool = window.tools().mirror();
   QWidget* canvas = window.view().canvas();
-  const QPoint from = tool.grip(MirrorTool::Handle::turn_first, window.view().space()).toPoint();
+  const QPoint from = tool.grip(PlaneTool::Handle::turn_first, window.view().space()).toPoint();
   QTest::mousePress(canvas, Qt::LeftButton, {}, from);
   for (int step = 1; step <= 4; ++step) {
     const QPoint at = from + QPoint(15 * step, 9 * step);

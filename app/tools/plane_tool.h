@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows the plane of symmetry of a scan, with handles: one moves it along its normal, two turn it.
+// Shows a plane across a scan, with handles: one moves it along its normal, two turn it.
 #pragma once
 
-#include "jobs/mirror_guide.h"
+#include "document/document.h"
+#include "jobs/plane_guide.h"
 #include "tools/view_tool.h"
 
 #include <Eigen/Geometry>
 
 namespace loopmend {
 
-class MirrorTool : public QObject, public ViewTool {
+class PlaneTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
-  MirrorTool(const Document& document, MirrorGuide& guide, QObject* parent = nullptr);
+  PlaneTool(const Document& document, PlaneGuide& guide, QObject* parent = nullptr);
 
   bool mouse(Act act, const QMouseEvent& event, const ViewSpace& space) override;
   void paint(QPainter& painter, const ViewSpace& space) override;
@@ -31,13 +32,14 @@ class MirrorTool : public QObject, public ViewTool {
     Eigen::Vector3d middle, normal, first, second;  ///< the last two in the plane, as long as half its sides
   };
   Frame frame() const;
+  void paint_arrow(QPainter& painter, const ViewSpace& space) const;
   bool has_plane() const;
   void follow();
   Handle handle_at(const QPointF& at, const ViewSpace& space) const;
   void drag(const QPointF& at, const ViewSpace& space);
 
   const Document& document_;
-  MirrorGuide& guide_;
+  PlaneGuide& guide_;
   int boxed_ = -1;           ///< the scan whose box is known
   Eigen::AlignedBox3d box_;  ///< scene's frame
   Handle held_ = Handle::none, hovered_ = Handle::none;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mirror_tool.h"
+#include "tools/plane_tool.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -10,8 +10,8 @@ namespace loopmend {
 namespace {
 
 constexpr double grip_px = 9;
-constexpr MirrorTool::Handle handles[] = {MirrorTool::Handle::move, MirrorTool::Handle::turn_first,
-                                          MirrorTool::Handle::turn_second};
+constexpr PlaneTool::Handle handles[] = {PlaneTool::Handle::move, PlaneTool::Handle::turn_first,
+                                         PlaneTool::Handle::turn_second};
 
 QPointF logical_pixels(const Eigen::Vector3d& point, const ViewSpace& space) {
   const Eigen::Vector3d at = space.to_screen(point);
@@ -20,11 +20,11 @@ QPointF logical_pixels(const Eigen::Vector3d& point, const ViewSpace& space) {
 
 }  // namespace
 
-MirrorTool::MirrorTool(const Document& document, MirrorGuide& guide, QObject* parent)
+PlaneTool::PlaneTool(const Document& document, PlaneGuide& guide, QObject* parent)
     : QObject(parent),
       document_(document),
       guide_(guide) {
-  connect(&guide_, &MirrorGuide::changed, this, &MirrorTool::follow);
+  connect(&guide_, &PlaneGuide::changed, this, &PlaneTool::follow);
   for (auto signal : {&Document::opened, &Document::scans_changed})
     connect(&document_, signal, this, [this] {
       boxed_ = -1;
@@ -32,11 +32,9 @@ MirrorTool::MirrorTool(const Document& document, MirrorGuide& guide, QObject* pa
     });
 }
 
-bool MirrorTool::has_plane() const {
-  return guide_.plane() && document_.scan(guide_.scan()) && boxed_ == guide_.scan();
-}
+bool PlaneTool::has_plane() const { return guide_.plane() && document_.scan(guide_.scan()) && boxed_ == guide_.scan(); }
 
-void MirrorTool::follow() {
+void PlaneTool::follow() {
   if (boxed_ != guide_.scan() && document_.scan(guide_.scan())) {
     boxed_ = guide_.scan();
     box_.setEmpty();
@@ -46,7 +44,7 @@ void MirrorTool::follow() {
 }
 
 /// As large as the scan, its middle where the scan's middle falls on the plane.
-MirrorTool::Frame MirrorTool::frame() const {
+PlaneTool::Frame PlaneTool::frame() const {
   const MirrorPlane& plane = *guide_.plane();
   const Eigen::Vector3d point = plane.point - document_.origin(), n = plane.normal;
   const double half = 0.4 * box_.diagonal().norm();
@@ -58,7 +56,7 @@ MirrorTool::Frame MirrorTool::frame() const {
   return frame;
 }
 
-QPointF MirrorTool::grip(Handle handle, const ViewSpace& space) const {
+QPointF PlaneTool::grip(Handle handle, const ViewSpace& space) const {
   const Frame f = frame();
   switch (handle) {
     case Handle::none: break;
@@ -69,7 +67,7 @@ QPointF MirrorTool::grip(Handle handle, const ViewSpace& space) const {
   return {-1, -1};
 }
 
-MirrorTool::Handle MirrorTool::handle_at(const QPointF& at, const ViewSpace& space) const {
+PlaneTool::Handle PlaneTool::handle_at(const QPointF& at, const ViewSpace& space) const {
   for (Handle handle : handles) {
     const QPointF off = grip(handle, space) - at;
     if (std::hypot(off.x(), off.y()) <= grip_px + 3) return handle;
@@ -77,7 +75,7 @@ MirrorTool::Handle MirrorTool::handle_at(const QPointF& at, const ViewSpace& spa
   return Handle::none;
 }
 
-bool MirrorTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space) {
+bool PlaneTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space) {
   if (!has_plane()) return false;
   const QPointF at = event.localPos();
   switch (act) {
@@ -102,7 +100,7 @@ bool MirrorTool::mouse(Act act, const QMouseEvent& event, const ViewSpace& space
 }
 
 /// A handle moves along the normal, by what the mouse has moved along the normal's picture.
-void MirrorTool::drag(const QPointF& at, const ViewSpace& space) {
+void PlaneTool::drag(const QPointF& at, const ViewSpace& space) {
   const Eigen::Vector3d arm = held_ == Handle::turn_first    ? before_.first
                               : held_ == Handle::turn_second ? before_.second
                                                              : Eigen::Vector3d(0, 0, 0);
@@ -125,7 +123,24 @@ void MirrorTool::drag(const QPointF& at, const ViewSpace& space) {
   guide_.move_plane(plane);
 }
 
-void MirrorTool::paint(QPainter& painter, const ViewSpace& space) {
+/// To the side that goes.
+void PlaneTool::paint_arrow(QPainter& painter, const ViewSpace& space) const {
+  const Frame f = frame();
+  const QPointF from = logical_pixels(f.middle, space);
+  const QPointF tip = logical_pixels(f.middle + 0.5 * f.first.norm() * f.normal, space);
+  const double length = std::hypot(tip.x() - from.x(), tip.y() - from.y());
+  constexpr double head_px = 12;
+  if (!(length > head_px)) return;  // seen from along the normal
+  const QPointF along = (tip - from) / length, across(-along.y(), along.x());
+  painter.setPen(QPen(QColor(214, 104, 16), 3));
+  painter.setBrush(QColor(214, 104, 16));
+  painter.drawLine(from, tip - along * head_px);
+  QPolygonF head;
+  head << tip << tip - along * head_px + across * head_px / 2 << tip - along * head_px - across * head_px / 2;
+  painter.drawPolygon(head);
+}
+
+void PlaneTool::paint(QPainter& painter, const ViewSpace& space) {
   if (!has_plane()) return;
   const Frame f = frame();
   const QColor blue(20, 110, 190), ink(24, 28, 34);
@@ -141,6 +156,7 @@ void MirrorTool::paint(QPainter& painter, const ViewSpace& space) {
   painter.setPen(QPen(blue, 2));
   painter.setBrush(QColor(20, 110, 190, 40));
   painter.drawPolygon(outline);
+  if (guide_.sides() == PlaneGuide::Sides::one_goes) paint_arrow(painter, space);
   for (Handle handle : handles) {
     const bool active = handle == held_ || (held_ == Handle::none && handle == hovered_);
     painter.setPen(QPen(ink, 1.6));
