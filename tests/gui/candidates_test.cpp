@@ -261,8 +261,8 @@ void CandidatesTest::what_is_taken_has_the_bits_of_the_command_that_is_copied_da
     QTest::newRow(name) << scan << static_cast<int>(kind) << QString::fromLatin1(option);
   };
   const QString sample = sample_file(folder_);
-  row("tangent", sample, CandidateKind::tangent, "--continuity tangent");
-  row("flat", sample, CandidateKind::flat, "--continuity position");
+  row("tangent", sample, CandidateKind::tangent, "--loops 2:tangent");
+  row("flat", sample, CandidateKind::flat, "--loops 2:flat");
   row("robust", sample, CandidateKind::robust, "--boundary robust");
   row("exact", sample, CandidateKind::exact, "--boundary exact");
   const QString edge = folder_.filePath(QStringLiteral("edge.ply"));
