@@ -144,7 +144,7 @@ void PlayerTest::a_pause_is_one_change_for_undo() {
   choose_pace(window, 8);
   key(window, Qt::Key_Space, Qt::ShiftModifier);
   QVERIFY(is_playing(window));
-  QVERIFY(wait_until([&] { return flow.place() == 2; }));
+  QVERIFY(wait_until([&] { return flow.place() >= 2 && flow.place() < flow.states() - 1; }));
   key(window, Qt::Key_Space, Qt::ShiftModifier);
   QVERIFY(!is_playing(window));
   const int at = flow.place();
@@ -308,7 +308,8 @@ void PlayerTest::steps_are_those_of_the_scheme_with_the_time_step_shown() {
   press(window, "runSteps");
   const auto taken = [&] { return window.document().patches().front().timeline->size() - 1; };
   QVERIFY(wait_until([&] { return taken() >= 3; }));
-  if (window.controller().busy()) QVERIFY(press_and_wait(window, "run"));
+  window.controller().pause();  // the button would start another run where this one has ended
+  QVERIFY(wait_idle(window));
   QVERIFY(press_and_wait(window, "step"));
   const Timeline states = *window.document().patches().front().timeline;
   EvolutionOptions options;
