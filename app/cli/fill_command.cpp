@@ -218,7 +218,7 @@ std::string trim_suggestion(const FillCommand& command, const ScanPlan& scan, co
   if (outcome.look + outcome.bad + outcome.failed == 0) return {};
   if (scan.trimming_helps == ScanPlan::TrimmingHelps::no) return {};
   return counted(scan.trimmable.size(), "bad triangle", "bad triangles") +
-         " at the boundaries; --trim-boundary 3 would remove what is bad" +
+         " at the boundaries; --trim-boundary 3 would remove these" +
          (scan.trimming_helps == ScanPlan::TrimmingHelps::yes ? "." : " (not tried).");
 }
 

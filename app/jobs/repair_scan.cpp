@@ -211,7 +211,7 @@ RepairedScan based(const ScanRepairTask& task) {
           NewPoints{}};
 }
 
-/// With its patches, which are a part of what is cut.
+/// With its patches, which are cut with it.
 RepairedScan cut_off(const ScanRepairTask& task) {
   const OpenedScan& old = *task.opened;
   SurfaceModel base = *old.model;

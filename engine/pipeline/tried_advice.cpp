@@ -210,7 +210,7 @@ Message AdviceTrials::advice(const BoundaryLoop& loop, const std::vector<int>& p
       closes_with("--cut-intersections", repaired(Defect::intersections)))
     return say("%1 closes it", "--cut-intersections");
   if (closes_with("--bridge", bridged)) return say("--bridge %1,%2 closes it", ends->first, ends->second);
-  return say("%1 would not close it: remove what is in its way in an editor, and fill again", names);
+  return say("%1 would not close it: remove the faces in its way in an editor, and fill again", names);
 }
 
 }  // namespace loopmend

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scan cut by a plane before it is filled: what is said, reported and marked.
+// A scan cut by a plane before it is filled: messages, report and marks.
 #include "cli/run_program.h"
 
 #include "io/read_mesh.h"
