@@ -253,7 +253,10 @@ bool press_and_wait(MainWindow& window, const char* button, double seconds) {
   return wait_idle(window, seconds);
 }
 
-void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with) { QTest::keyClick(&window, which, with); }
+void key(MainWindow& window, Qt::Key which, Qt::KeyboardModifiers with) {
+  QApplication::setActiveWindow(&window);  // a dialog that closes does not give the focus back by itself
+  QTest::keyClick(&window, which, with);
+}
 
 Shown::Shown(const QStringList& paths, Extent extent) {
   // One whose size was kept has that.
