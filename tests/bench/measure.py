@@ -131,10 +131,12 @@ def main():
     if len(asked) != 1 or asked[0] not in PAGES:
         sys.exit(f"{__doc__}\nPages: {', '.join(PAGES)}")
     page = ROOT / f"docs/benchmarks/{asked[0]}.md"
-    put_between(page, "measured", measured_on())
+    when = measured_on()
     with tempfile.TemporaryDirectory() as folder:
-        for section, commands in PAGES[asked[0]][1].items():
-            put_between(page, section, run(section, commands, pathlib.Path(folder)))
+        # The page changes as a whole, or not at all.
+        measured = {section: run(section, commands, pathlib.Path(folder)) for section, commands in PAGES[asked[0]][1].items()}
+    for section, text in {"measured": when, **measured}.items():
+        put_between(page, section, text)
 
 
 if __name__ == "__main__":
