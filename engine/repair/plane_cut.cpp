@@ -27,9 +27,9 @@ namespace {
 using CutEdge = std::pair<int, int>;  ///< directed
 using Curve = std::vector<int>;       ///< closed, of points of the section
 
-std::string in_three_digits(double x) {
+std::string in_six_digits(double x) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", x);
+  std::snprintf(text.data(), text.size(), "%.6g", x);
   return text.data();
 }
 
@@ -82,7 +82,7 @@ class Halves {
     const double in_plane = box.isEmpty() ? 0 : share_in_plane * box.diagonal().norm();
     const auto message = [&](const Message& what) {
       return say("%1: along its normal, the surface lies from %2 to %3 of the plane: choose a point between", what,
-                 in_three_digits(low), in_three_digits(high));
+                 in_six_digits(low), in_six_digits(high));
     };
     if (!(high > in_plane)) throw InvalidArgument(message(say("the cutting plane misses the surface")));
     if (!(low < -in_plane)) throw InvalidArgument(message(say("the cutting plane would remove the whole surface")));
