@@ -224,6 +224,7 @@ TEST(PlaneCut, APlaneThatCutsNothingIsRefused) {
   };
   EXPECT_THAT(words(1.5), HasSubstr("misses the surface"));
   EXPECT_THAT(words(1.5), HasSubstr("from -2.5 to -0.5"));
+  EXPECT_THAT(words(1001), HasSubstr("from -1002 to -1000"));
   EXPECT_THAT(words(-1.5), HasSubstr("remove the whole surface"));
   EXPECT_THROW(make_cut_plane({0, 0, 0}, {0, 0, 0}), InvalidArgument);
 }
