@@ -361,10 +361,10 @@ const char* to_string(LoopKind kind) {
 
 Message why_outer_rim(const BoundaryLoop& loop) {
   if (loop.kind != LoopKind::outer_rim) return {};
-  if (turns_like_a_sheet(loop)) return say("the surface lies within it, as within the outline of a sheet");
+  if (turns_like_a_sheet(loop)) return say("the surface lies inside the loop");
   char depth[32];
   std::snprintf(depth, sizeof depth, "%.2f", loop.depth);
-  return say("it runs round its whole piece of surface, which is only %1 loop diameters deep", depth);
+  return say("its component is only %1 loop diameters deep", depth);
 }
 
 std::vector<BoundaryLoop> find_boundary_loops(const SurfaceModel& model) {

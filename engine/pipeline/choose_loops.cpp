@@ -113,7 +113,7 @@ LoopChoice::Cure cure_of(const BoundaryLoop& loop) {
 /// Why a loop is left that could be filled; empty where it is not left.
 Message reason_to_leave(const BoundaryLoop& loop, const LoopSelection& selection, bool named) {
   if (!named && loop.kind == LoopKind::outer_rim && selection.outer_rim == LoopSelection::OuterRim::leave)
-    return with_cure(say("outer rim of an open sheet, since %1: left open", why_outer_rim(loop)),
+    return with_cure(say("outline of an open sheet (%1): left open", why_outer_rim(loop)),
                      say("--include-outer-rim fills it"))
         .with_code("outer_rim");
   if (selection.max_edges && loop.edges() > *selection.max_edges)

@@ -373,7 +373,7 @@ TEST_F(Batch, CallsFilledOnlyWhatHasAPatch) {
   EXPECT_THAT(page, HasSubstr("1 filled, 0 of them to look at, 2 with nothing to fill, 0 left open"));
   EXPECT_THAT(page, HasSubstr("<td class='status'>filled</td><td class='good'>good</td><td class='n'>0.0"));
   EXPECT_THAT(page, HasSubstr("<ul><li>the surface is closed</li></ul>"));
-  EXPECT_THAT(page, HasSubstr("<li>loop 1: skipped, outer rim of an open sheet"));
+  EXPECT_THAT(page, HasSubstr("<li>loop 1: skipped, outline of an open sheet"));
 }
 
 TEST_F(Batch, ShowsPicturesInAPageThatNeedsNoOtherFile) {

@@ -158,8 +158,7 @@ TEST_F(Told, AnOuterRimThatTouchesAHoleIsLeftAsAsked) {
   write_mesh(work / "in.ply", sheet([](int i, int j) { return i == j && i < 2; }));
   const Outcome run = fill();
   EXPECT_EQ(run.code, 0);
-  EXPECT_THAT(run.out,
-              AllOf(HasSubstr("1 filled, 0 failed, 1 left as asked"), HasSubstr("outer rim of an open sheet")));
+  EXPECT_THAT(run.out, AllOf(HasSubstr("1 filled, 0 failed, 1 left as asked"), HasSubstr("outline of an open sheet")));
 }
 
 TEST_F(Told, HolesThatTouchAreBothFilled) {
@@ -222,7 +221,7 @@ TEST_F(Told, WhatTheSmallScansOfOurOwnAre) {
   const Outcome ring = filled("ring.obj");
   EXPECT_EQ(ring.code, 0);
   EXPECT_THAT(ring.out, AllOf(HasSubstr("1 filled, 0 failed"),
-                              HasSubstr("outer rim of an open sheet, since the surface lies within it")));
+                              HasSubstr("outline of an open sheet (the surface lies inside the loop)")));
   EXPECT_EQ(loops_left(), 1u);
 
   const Outcome touching = filled("touching_holes.obj");
