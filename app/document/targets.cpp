@@ -77,6 +77,13 @@ int loops_left_out(const Document& document) {
   return count;
 }
 
+int scan_of_selection(const Document& document, const HoleSelection& selection) {
+  int scan = document.has_scan() ? document.scans().front() : -1;
+  for (int loop : selection.selected())
+    if (document.present(loop)) scan = document.scan_of(loop);
+  return scan;
+}
+
 std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit) {
   std::set<int> loops;
   for (int loop = 0; loop < document.loop_count(); ++loop) {

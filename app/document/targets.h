@@ -33,6 +33,9 @@ int loops_left_out(const Document& document);
 /// Boundary loops but cracks and cuts that stay open in what is exported: a patch that cuts the surface is left out of it.
 int open_loops(const Document& document);
 
+/// The scan of a selected loop, else the first one; -1 where there is none.
+int scan_of_selection(const Document& document, const HoleSelection& selection);
+
 enum class SizeMeasure { edges, diameter };
 /// Fillable loops without a patch that are no larger than `limit`; diameter in the scan's unit.
 std::set<int> loops_up_to(const Document& document, SizeMeasure measure, double limit);

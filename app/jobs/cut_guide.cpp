@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/cut_guide.h"
 
+#include "document/targets.h"
+
 #include <Eigen/Geometry>
 
 namespace loopmend {
@@ -31,12 +33,7 @@ void CutGuide::watch(Watch what) {
 
 /// At first the plane parts the longest side of the scan's box, and the upper half would go.
 void CutGuide::follow() {
-  int scan = -1;
-  if (watch_ == Watch::scan && document_.has_scan()) {
-    scan = document_.scans().front();
-    for (int loop : selection_.selected())
-      if (document_.present(loop)) scan = document_.scan_of(loop);
-  }
+  const int scan = watch_ == Watch::scan ? scan_of_selection(document_, selection_) : -1;
   if (scan == scan_) return;
   const bool keeps_plane = plane_ && scan >= 0 && scan_ >= 0 && !document_.scan(scan_);  // a changed scan in its place
   scan_ = scan;

@@ -42,12 +42,7 @@ void MirrorGuide::watch(Watch what) {
 }
 
 void MirrorGuide::follow() {
-  int scan = -1;
-  if (watch_ == Watch::scan && document_.has_scan()) {
-    scan = document_.scans().front();
-    for (int loop : selection_.selected())
-      if (document_.present(loop)) scan = document_.scan_of(loop);
-  }
+  const int scan = watch_ == Watch::scan ? scan_of_selection(document_, selection_) : -1;
   if (scan == scan_ && (scan < 0 || document_.scan(scan))) {
     if (scan >= 0 && plane_ && loops() != compared_) compare();
     return;
