@@ -69,7 +69,9 @@ Json loop_json(const BoundaryLoop& loop) {
 
 namespace {
 
+/// Null where the neighborhood was not looked at.
 Json boundary_json(const HoleResult& result) {
+  if (result.outcome().neighborhood.empty()) return nullptr;
   const BoundarySummary boundary = result.neighborhood();
   return {{"kind", to_string(boundary.split.kind())},
           {"relief", json_number(boundary.relief)},

@@ -8,6 +8,7 @@
 #include "jobs/remaining_time.h"
 #include "panels/hole_delegate.h"
 #include "panels/parts.h"
+#include "panels/progress_bar.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -20,7 +21,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QUrl>
@@ -50,9 +50,7 @@ void BatchDialog::build() {
   layout->addWidget(choices_);
   build_table();
   layout->addWidget(table_, 1);
-  progress_ = new QProgressBar;
-  progress_->setTextVisible(false);
-  progress_->setMaximumHeight(8);
+  progress_ = new ProgressBar;
   explain(progress_, "batchProgress", tr("Scans done"), tr("How many of the scans are done"));
   left_ = make_note("batchTimeLeft");
   auto* bar = make_layout<QHBoxLayout>();

@@ -67,8 +67,7 @@ QVariant HoleTable::headerData(int section, Qt::Orientation orientation, int rol
       case kind: return tr("Hole, outer rim of a sheet, crack, ...");
       case scan: return tr("The file that the loop belongs to");
       case boundary:
-        return tr(
-            "How far the scan around the hole can be trusted, known once the hole is filled: smooth, noisy or rough");
+        return tr("How far the scan around the hole can be trusted, known once a flow has run: smooth, noisy or rough");
       case crease:
         return tr(
             "Bend of the surface along the seam, in degrees: 8 % of the seam's edges, at least two, have it or more; "
@@ -158,12 +157,13 @@ QVariant HoleTable::sort_key(int loop, int column) const {
   }
 }
 
-/// Null where the hole is not filled yet.
+/// As the patch's last state knows it. Null where the hole is not filled yet, or was too small to ask.
 const BoundarySummary* HoleTable::boundary_of(int loop) const {
   const OpenPatch* patch = document_.patch_of(loop);
-  if (!patch || !patch->state->boundary) return nullptr;
+  if (!patch) return nullptr;
+  const std::vector<BoundarySummary>& known = patch->timeline->back()->neighborhood;
   const std::size_t k = patch->place_of(loop);
-  return k < patch->state->boundary->loops.size() ? &patch->state->boundary->loops[k] : nullptr;
+  return k < known.size() ? &known[k] : nullptr;
 }
 
 QVariant HoleTable::tool_tip(int loop, int column) const {

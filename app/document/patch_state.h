@@ -67,18 +67,11 @@ struct PatchRecipe {
   bool operator==(const PatchRecipe&) const = default;
 };
 
-/// What the neighborhood knows of itself.
-struct BoundaryKnowledge {
-  std::vector<BoundarySummary> loops;        ///< one per loop
-  std::vector<float> curvature_uncertainty;  ///< of H, one for each fixed vertex (boundary_fits.h)
-};
-
 /// What the engine made, and what is shown of it. Without the history of steps: the timeline holds the states themselves.
 struct PatchState : PatchResult {
   SurfaceShapePtr shape;
   PatchRecipe recipe;                                 ///< `steps` counts from the initial patch on
-  StepRecord last_step;                               ///< meaningful when steps > 0
-  std::shared_ptr<const BoundaryKnowledge> boundary;  ///< the same for all states of a patch; null: not asked for
+  StepRecord last_step;  ///< meaningful when steps > 0
 };
 using PatchStatePtr = std::shared_ptr<const PatchState>;
 

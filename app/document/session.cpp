@@ -18,7 +18,7 @@ namespace loopmend {
 namespace {
 
 constexpr char magic[] = "Loopmend session\n";
-constexpr int format_version = 18;  ///< no other one is read
+constexpr int format_version = 19;  ///< no other one is read
 
 void fields(auto& stream, Is<ColorRange> auto& range) {
   stream.word(range.rule, ColorRange::Rule::percentile_each);

@@ -87,6 +87,16 @@ void fields(auto& stream, Is<Verdict> auto& verdict) {
   });
 }
 
+void fields(auto& stream, Is<BoundarySummary> auto& summary) {
+  auto& split = summary.split;
+  for (auto* x :
+       {&split.relief, &split.noise, &split.resolution, &split.edge, &split.radius, &split.relief_height,
+        &split.noise_height, &summary.relief, &summary.noise, &summary.relief_per_edge, &summary.noise_per_edge,
+        &summary.normal_sigma_deg, &summary.H, &summary.H_sigma, &summary.gradient, &summary.gradient_sigma})
+    stream.number(*x);
+  stream.whole(summary.fitted);
+}
+
 /// All but its patch.
 void fields(auto& stream, Is<PatchState> auto& state) {
   stream.word(state.status, PatchStatus::step_limit);
@@ -110,6 +120,7 @@ void fields(auto& stream, Is<PatchState> auto& state) {
     for (auto* figure : {&e.half, &e.likely, &e.most, &e.predictors.second_order}) stream.number(*figure);
   });
   stream.array(state.deviation.vertices);
+  stream.list(state.neighborhood, 16 * sizeof(double), [&](auto& summary) { fields(stream, summary); });
 }
 
 bool in_range(const std::vector<int>& values, int low, int high) {
@@ -187,6 +198,8 @@ void check(const SessionReader& in, const PatchState& state) {
     in.fail(say("the seams of a patch are not complete"));
   if (!state.verdicts.empty() && state.verdicts.size() != state.seams.size())
     in.fail(say("the verdicts of a patch are not complete"));
+  if (!state.neighborhood.empty() && state.neighborhood.size() != state.seams.size())
+    in.fail(say("what is known of the neighborhood of a patch is not complete"));
   if (!state.deviation.vertices.empty() &&
       state.deviation.vertices.size() != static_cast<std::size_t>(state.patch.free_count))
     in.fail(say("the likely errors of a patch are not complete"));

@@ -7,7 +7,7 @@
 
 namespace loopmend {
 
-/// Without its shape and what its neighborhood knows, which are made again.
+/// Without its shape, which is made again.
 void put(SessionWriter& out, const PatchState& state);
 /// @throws ReadError where the file is damaged.
 PatchStatePtr read_state(SessionReader& in);

@@ -205,7 +205,6 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
     patch.loops.push_back(static_cast<int>(found - scan.loops.begin()));
   }
   const auto vertices = static_cast<int>(scan.model->soup_vertex.size());
-  std::shared_ptr<const BoundaryKnowledge> boundary;
   const auto shown = [&](const PatchState& from) {
     auto state = std::make_shared<PatchState>(from);
     for (int v = state->patch.free_count; v < state->patch.vertex_count(); ++v)
@@ -213,8 +212,6 @@ OpenPatch restored_patch(const SessionPatch& saved, const OpenedScan& scan, cons
         refuse_damaged(path, say("a patch names a vertex that its scan does not have"));
     state->shape = shape_of(state->patch, origin, scan.colors);
     show_deviation(*state);
-    if (!boundary) boundary = boundary_knowledge(state->patch);
-    state->boundary = boundary;
     return state;
   };
   patch.state = shown(*saved.state);

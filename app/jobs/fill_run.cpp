@@ -159,6 +159,7 @@ class TaskRecording {
     } else {  // without a verdict: a flow may follow
       state->status = result.status;
       state->validity = result.validity;
+      state->neighborhood = result.neighborhood;
       state->message = said;
     }
     if (result.status == PatchStatus::filled) recorder_.restart(loops);

@@ -5,13 +5,6 @@
 
 namespace loopmend {
 
-std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch) {
-  auto boundary = std::make_shared<BoundaryKnowledge>();
-  boundary->loops = boundary_summaries(patch, estimate_split(patch));
-  boundary->curvature_uncertainty = curvature_uncertainty(patch);
-  return boundary;
-}
-
 Message message_of(const PatchResult& result) {
   Message method;
   switch (result.method) {
@@ -38,7 +31,6 @@ std::shared_ptr<PatchState> first_state(const Patch& patch, const PatchRecipe& r
   state->seams = seam_reports(patch);
   state->seams_before = state->seams;
   state->status = PatchStatus::filled;
-  state->boundary = boundary_knowledge(patch);
   state->recipe = recipe;
   state->patch = patch;
   return state;
@@ -53,7 +45,7 @@ std::shared_ptr<PatchState> with_result(const PatchState& from, const PatchResul
   state->shape = shape_of(result.patch, origin, from.shape->scan_colors);
   show_deviation(*state);
   const bool same_holes = result.patch.loop_numbers == from.patch.loop_numbers;
-  state->boundary = same_holes ? from.boundary : boundary_knowledge(result.patch);
+  if (same_holes && state->neighborhood.empty()) state->neighborhood = from.neighborhood;
   if (same_holes) state->seams_before = from.seams_before;
   if (state->seams_before.size() != state->seams.size()) state->seams_before = state->seams;
   if (!result.history.empty()) state->last_step = result.history.back();

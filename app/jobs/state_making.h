@@ -7,9 +7,6 @@
 
 namespace loopmend {
 
-/// How far the neighborhood of a patch can be trusted.
-std::shared_ptr<const BoundaryKnowledge> boundary_knowledge(const Patch& patch);
-
 /// What was done in place of the flow, and why; then what is to be said of the result.
 Message message_of(const PatchResult& result);
 

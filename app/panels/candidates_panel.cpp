@@ -8,10 +8,10 @@
 #include "jobs/fill_controller.h"
 #include "panels/candidate_card.h"
 #include "panels/parts.h"
+#include "panels/progress_bar.h"
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -71,9 +71,7 @@ void CandidatesPanel::build() {
   head->addWidget(title_, 1);
   head->addWidget(compute_);
   layout->addLayout(head);
-  bar_ = new QProgressBar;
-  bar_->setTextVisible(false);
-  bar_->setMaximumHeight(8);
+  bar_ = new ProgressBar;
   explain(bar_, "candidatesProgress", tr("Progress"), tr("How many of the other patches are ready"));
   QSizePolicy keep = bar_->sizePolicy();
   keep.setRetainSizeWhenHidden(true);

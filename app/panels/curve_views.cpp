@@ -4,6 +4,7 @@
 #include "analysis/section_profile.h"
 #include "document/labels.h"
 #include "document/run_curves.h"
+#include "neighborhood/boundary_fits.h"
 #include "panels/parts.h"
 #include "panels/plot.h"
 
@@ -131,13 +132,18 @@ void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
   if (graph_out >= 0) plot_->set_data(graph_out, arc, outside);
 }
 
+/// Fitted when it is first drawn, and again where the fixed vertices are others.
+const std::vector<float>& SectionView::curvature_uncertainty_of(const Patch& patch) {
+  Points fixed(patch.positions.begin() + patch.free_count, patch.positions.end());
+  if (std::exchange(fixed_, std::move(fixed)) != fixed_) uncertainty_ = curvature_uncertainty(patch);
+  return uncertainty_;
+}
+
 /// How far the neighborhood knows its own H, around its line.
 void SectionView::draw_band(const PatchState& state) {
-  if (!state.boundary) return;
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<float>& known = state.boundary->curvature_uncertainty;
+  const std::vector<float>& known = curvature_uncertainty_of(state.patch);
   std::vector<float> low(state.patch.vertex_count(), none), high = low;
-  if (known.size() + state.patch.free_count != low.size()) return;
   for (std::size_t k = 0; k < known.size(); ++k) {
     const std::size_t i = k + state.patch.free_count;
     low[i] = state.shape->H[i] - known[k];

@@ -44,12 +44,15 @@ class SectionView : public QWidget {
   void update_plot();
   void draw(const PatchState& state, int graph_in, int graph_out);
   void draw_band(const PatchState& state);
+  const std::vector<float>& curvature_uncertainty_of(const Patch& patch);
 
   Plot* plot_;
   QSlider* angle_;
   QLabel* angle_value_;
   PatchStatePtr now_, before_;
   int loop_ = 0;
+  Points fixed_;                    ///< of the patch whose uncertainty is known
+  std::vector<float> uncertainty_;  ///< of H, one for each of them
 };
 
 }  // namespace loopmend

@@ -5,23 +5,16 @@
 #include "jobs/fill_controller.h"
 #include "jobs/remaining_time.h"
 #include "panels/parts.h"
+#include "panels/progress_bar.h"
 
 #include <QElapsedTimer>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include <utility>
 
 namespace loopmend {
-namespace {
-
-constexpr const char* running_part =
-    "QProgressBar { border: 1px solid palette(mid); border-radius: 3px; background: palette(base); }"
-    "QProgressBar::chunk { background: palette(highlight); width: 48px; }";
-
-}  // namespace
 
 ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(parent), controller_(controller) {
   build();
@@ -35,8 +28,6 @@ ProgressBox::ProgressBox(FillController& controller, QWidget* parent) : QWidget(
   connect(&controller_, &FillController::progress_changed, this, [this](int done, int total) {
     bar_->setRange(0, total);
     bar_->setValue(done);
-    // The style fills a bar without an end, which looks as if all was done; a sheet lets a part of it run to and fro.
-    bar_->setStyleSheet(total > 0 ? QString() : QString::fromLatin1(running_part));
   });
   connect(&controller_, &FillController::share_done, this,
           [this](double share) { estimate(seconds_left(now_() - start_, share)); });
@@ -53,9 +44,7 @@ void ProgressBox::build() {
   stage_ = make_note("stage");
   stage_->setText(tr("Nothing is running."));
   stage_->keep_room_for({QStringLiteral("1\n2")});  // Cancel stays in its place
-  bar_ = new QProgressBar;
-  bar_->setTextVisible(false);
-  bar_->setMaximumHeight(8);
+  bar_ = new ProgressBar;
   explain(bar_, "progress", tr("Progress"), tr("How far the present job is"));
   QSizePolicy keep = bar_->sizePolicy();
   keep.setRetainSizeWhenHidden(true);
@@ -93,13 +82,15 @@ void ProgressBox::update_state() {
 void ProgressBox::estimate(std::optional<double> seconds) {
   seconds_left_ = seconds;
   estimated_ = now_();
+  if (estimated_ - shown_ < 1) return;  // a text that changes with each small hole cannot be read
+  shown_ = estimated_;
   show_left();
 }
 
-/// Counts down between two reports; shows nothing at first, and once the estimate has run out.
+/// Counts down between two reports. Nothing at first, and once the estimate has run out.
 void ProgressBox::show_left() {
-  if (now_() - start_ < least_seconds_shown) return left_->clear();
-  left_->setText(labels::time_left(seconds_left_ ? *seconds_left_ - (now_() - estimated_) : 0));
+  const bool known = seconds_left_ && now_() - start_ >= least_seconds_shown;
+  left_->setText(labels::time_left(known ? *seconds_left_ - (now_() - estimated_) : 0));
 }
 
 }  // namespace loopmend

@@ -38,7 +38,7 @@ class ProgressBox : public QWidget {
   QLabel* left_ = nullptr;
   QPushButton* cancel_ = nullptr;
   std::function<double()> now_;
-  double start_ = 0, estimated_ = 0;  ///< of the job; the last report
+  double start_ = 0, estimated_ = 0, shown_ = 0;  ///< of the job; the last report; the last one shown
   QTimer each_second_;
   std::optional<double> seconds_left_;  ///< at the last report
 };

@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How long one picture may work at the picture of large scans.
-constexpr double refining_in_one_ms = 50;
+constexpr double refining_in_one_ms = 30;
 /// Surfaces that took no longer are not reduced.
 constexpr double quick_ms = 50;
 /// Of a stored picture with reduced versions.

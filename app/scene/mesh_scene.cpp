@@ -141,7 +141,7 @@ struct MeshScene::Impl {
   }
   /// For a moment only, where large scans may be reduced meanwhile.
   void send_scans() {
-    constexpr std::chrono::milliseconds a_moment{25};
+    constexpr std::chrono::milliseconds a_moment{20};
     const auto end = SurfaceActor::Clock::now() + a_moment;
     sending = false;
     for (auto& [index, scan] : scans) {

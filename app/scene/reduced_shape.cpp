@@ -11,7 +11,7 @@ namespace loopmend {
 namespace {
 
 constexpr std::size_t large_triangles = 200'000;
-constexpr std::size_t most_vertices = 60'000;
+constexpr std::size_t most_vertices = 30'000;
 constexpr int finest_grid = 192;  ///< cells along the longest side
 
 /// Cells of a grid around the points that hold some, numbered in the order in which they were met.

@@ -71,7 +71,7 @@ SurfaceShapePtr with_deviation(const SurfaceShape& shape, std::span<const double
 std::shared_ptr<SurfaceShape> with_triangles(const SurfaceShape& whole, std::span<const int> triangles,
                                              std::vector<int>& number);
 
-/// The reduced version of a large surface, which is drawn while the eye moves: at most some 60 000 vertices, the means of those in
+/// The reduced version of a large surface, which is drawn while the eye moves: at most some 30 000 vertices, the means of those in
 /// one cell of a grid. Null: the surface is not large.
 SurfaceShapePtr reduced_shape(const SurfaceShape& shape);
 

@@ -149,7 +149,8 @@ GroupResult isolated(const Fill& fill, const std::vector<BoundaryLoop>& loops, c
 
 GroupResult filled(const Fill& fill, const std::vector<BoundaryLoop>& loops) {
   return isolated(fill, loops, [&] {
-    const InitialPatch initial = make_surveyed_patch(fill.scan.model, loops, fill.options.initial, fill.cancel);
+    const auto make = fill.options.evolution ? make_surveyed_patch : make_initial_patch;
+    const InitialPatch initial = make(fill.scan.model, loops, fill.options.initial, fill.cancel);
     if (initial.patch && fill.options.evolution) {
       const Message why = fill.why_too_large(*initial.patch);
       if (!why.empty() && loops.size() > 1) return each_alone(fill, loops);

@@ -296,30 +296,31 @@ class GroupSolver {
     return initial.origin == InitialPatch::Origin::evolved ? std::vector<BoundaryLoop>() : initial.loops;
   }
 
-  PatchResult solved(const InitialPatch& initial) const {
+  PatchResult flowed(const PatchProblem& problem, const InitialPatch& initial) const {
     const auto start = std::chrono::steady_clock::now();
     const BoundarySurvey survey =
-        initial.survey ? *initial.survey : survey_boundary(*initial.patch, cancel_, initial.split);
+        initial.survey ? *initial.survey : survey_boundary(problem.initial, cancel_, initial.split);
     const double survey_seconds = initial.survey ? initial.survey_seconds : seconds_since(start);
+    EvolutionOptions evolution = *options_.evolution;
+    evolution.split = survey.split;
+    evolution.fits = std::make_shared<const std::vector<std::vector<BoundaryFit>>>(survey.loops);
+    PatchResult result = solve_patch(problem, evolution, observer_.on_step, cancel_);
+    if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
+        is_filled(result.status) && result.method != Method::mirror_image)
+      add_relief(problem, survey.split, evolution.relief, cancel_, result);
+    result.neighborhood = boundary_summaries(problem.initial, survey.split, survey.loops);
+    result.seconds.survey = survey_seconds;
+    return result;
+  }
+
+  PatchResult solved(const InitialPatch& initial) const {
+    const auto start = std::chrono::steady_clock::now();
     const std::vector<BoundaryLoop> loops = loops_of(initial);
     const auto triangles = initial.origin == InitialPatch::Origin::uncut ? PatchProblem::Triangles::of_initial
                                                                          : PatchProblem::Triangles::any;
     const PatchProblem problem{scan_, *initial.patch, loops, &options_.mirror_planes, triangles};
-    PatchResult result;
-    if (options_.evolution) {
-      EvolutionOptions evolution = *options_.evolution;
-      evolution.split = survey.split;
-      evolution.fits = std::make_shared<const std::vector<std::vector<BoundaryFit>>>(survey.loops);
-      result = solve_patch(problem, evolution, observer_.on_step, cancel_);
-      if (evolution.relief.kind == ReliefChoice::Kind::continued && evolution.mode == EvolutionMode::steady &&
-          is_filled(result.status) && result.method != Method::mirror_image)
-        add_relief(problem, survey.split, evolution.relief, cancel_, result);
-    } else {
-      result = initial_result(problem, FlowKind::mmcvf);
-    }
-    result.neighborhood = boundary_summaries(*initial.patch, survey.split, survey.loops);
+    PatchResult result = options_.evolution ? flowed(problem, initial) : initial_result(problem, FlowKind::mmcvf);
     result.seconds.initial_patch = initial.seconds;
-    result.seconds.survey = survey_seconds;
     result.seconds.total = initial.seconds + initial.survey_seconds + seconds_since(start);
     return result;
   }

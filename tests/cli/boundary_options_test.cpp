@@ -54,6 +54,7 @@ TEST_F(BoundaryOptions, ReportTellsOfTheBoundary) {
   EXPECT_LT(boundary["noise_per_edge"].get<double>(), 1e-3);
   EXPECT_LT(boundary["h_sigma"].get<double>(), 0.05);
   EXPECT_EQ(boundary["fitted_vertices"], fill(clean, "")["loops"][0]["edges"]);
+  EXPECT_TRUE(fill(clean, "--flow none")["loops"][0]["neighborhood"].is_null());
 }
 
 TEST_F(BoundaryOptions, InACleanNeighborhoodAutoAndExactGiveTheSameBits) {

@@ -68,6 +68,13 @@ PatchStatePtr whole_state(const OpenedScan& scan) {
   state->verdicts = {verdict};
   state->deviation.loops = {{0.1, 0.2, 0.3, 0.04}};
   for (int v = 0; v < state->patch.free_count; ++v) state->deviation.vertices.push_back(0.01 * v);
+  BoundarySummary around;
+  around.split.relief = 17;
+  around.split.noise_height = 18;
+  around.noise_per_edge = 19;
+  around.gradient_sigma = 20;
+  around.fitted = 21;
+  state->neighborhood = {around};
   return state;
 }
 
@@ -113,6 +120,15 @@ void expect_same(const PatchState& a, const PatchState& b) {
   EXPECT_EQ(a.seams, b.seams);
   EXPECT_EQ(a.seams_before, b.seams_before);
   EXPECT_EQ(a.verdicts, b.verdicts);
+  ASSERT_EQ(a.neighborhood.size(), b.neighborhood.size());
+  for (std::size_t k = 0; k < a.neighborhood.size(); ++k) {
+    const BoundarySummary &of_a = a.neighborhood[k], &of_b = b.neighborhood[k];
+    EXPECT_EQ(of_a.split.relief, of_b.split.relief);
+    EXPECT_EQ(of_a.split.noise_height, of_b.split.noise_height);
+    EXPECT_EQ(of_a.noise_per_edge, of_b.noise_per_edge);
+    EXPECT_EQ(of_a.gradient_sigma, of_b.gradient_sigma);
+    EXPECT_EQ(of_a.fitted, of_b.fitted);
+  }
 }
 
 struct SessionTest : testing::Test {
@@ -297,7 +313,7 @@ void use(const Session& session) {
   for (const SessionPatch& patch : session.patches) {
     curvature_field(patch.state->patch);
     seam_reports(patch.state->patch);
-    boundary_knowledge(patch.state->patch);
+    curvature_uncertainty(patch.state->patch);
     patch_geometry(patch.state->patch);
   }
 }

@@ -6,11 +6,11 @@
 #include "dialogs/repair_dialog.h"
 #include "document/labels.h"
 #include "jobs/remaining_time.h"
+#include "panels/progress_bar.h"
 #include "panels/progress_box.h"
 #include "samples/analytic_surfaces.h"
 
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -55,6 +55,7 @@ class ProgressTest : public QObject {
   void each_repair_at_work_is_named();
   void preparing_names_what_is_at_work();
   void a_bar_of_unknown_length_is_never_full();
+  void a_busy_bar_is_painted_a_few_times_a_second();
   void time_left_is_shown_after_three_seconds();
 
  private:
@@ -146,6 +147,27 @@ void ProgressTest::a_bar_of_unknown_length_is_never_full() {
   disconnect(listening);
   QVERIFY(!filled.isEmpty());
   for (const double part : filled) QVERIFY2(part > 0.1 && part < 0.5, qPrintable(QString::number(part)));
+}
+
+/// Each time the whole window is composed again.
+void ProgressTest::a_busy_bar_is_painted_a_few_times_a_second() {
+  struct : QObject {
+    int count = 0;
+    bool eventFilter(QObject*, QEvent* event) override {
+      count += event->type() == QEvent::Paint;
+      return false;
+    }
+  } paints;
+  ProgressBar bar;
+  bar.setRange(0, 0);
+  bar.resize(300, 8);
+  bar.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&bar));
+  const QImage first = bar.grab().toImage();
+  bar.installEventFilter(&paints);
+  QTest::qWait(1000);
+  QVERIFY2(paints.count >= 1 && paints.count <= 8, qPrintable(QString::number(paints.count)));
+  QVERIFY(bar.grab().toImage() != first);
 }
 
 /// The clock is the test's: a second for each hole.
