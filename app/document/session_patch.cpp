@@ -198,8 +198,6 @@ void check(const SessionReader& in, const PatchState& state) {
     in.fail(say("the seams of a patch are not complete"));
   if (!state.verdicts.empty() && state.verdicts.size() != state.seams.size())
     in.fail(say("the verdicts of a patch are not complete"));
-  if (!state.neighborhood.empty() && state.neighborhood.size() != state.seams.size())
-    in.fail(say("what is known of the neighborhood of a patch is not complete"));
   if (!state.deviation.vertices.empty() &&
       state.deviation.vertices.size() != static_cast<std::size_t>(state.patch.free_count))
     in.fail(say("the likely errors of a patch are not complete"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which points lie inside a closed surface (CGAL's Side_of_triangle_mesh).
+// Which points lie inside a closed surface.
 #pragma once
 
 #include "core/types.h"
@@ -11,7 +11,7 @@ namespace loopmend {
 class InsideShell {
  public:
   /// @param corners  of the triangles of a closed surface, three after another
-  explicit InsideShell(const Points& corners);
+  explicit InsideShell(Points corners);
   ~InsideShell();
   InsideShell(InsideShell&&) noexcept;
   InsideShell& operator=(InsideShell&&) noexcept;
