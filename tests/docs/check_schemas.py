@@ -6,6 +6,7 @@ Usage: check_schemas.py LOOPMEND SCHEMA_FOLDER SCAN_FOLDER
 Exit code: 0 all well, 1 a report does not follow its schema, 77 the module jsonschema is missing.
 """
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -29,11 +30,26 @@ def many_open_tetrahedra(count):
     return "\n".join(["OFF", f"{len(points)} {len(faces)} 0", *points, *faces]) + "\n"
 
 
+def names_of_attempts(docs):
+    """As the engine, the schema and the page have them."""
+    sources = (docs.parent.parent / "engine" / "pipeline").glob("*.cpp")
+    engine = {name for source in sources for name in re.findall(r'text_to_say\("([^"]+)"\)', source.read_text())}
+    schema = json.loads((docs / "report.schema.json").read_text())["$defs"]["attempt"]["enum"]
+    table = (docs / "report.md").read_text().split("### attempts")[1].split("\n## ")[0]
+    page = {name for row in re.findall(r"^\| (`.*?) \|", table, re.MULTILINE) for name in re.findall("`([^`]+)`", row)}
+    return engine, set(schema), page
+
+
 def main():
     program, schemas, scans = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
     validators = {name: jsonschema.Draft202012Validator(json.loads((schemas / f"{name}.schema.json").read_text()))
                   for name in ("report", "info")}
     wrong = seen = 0
+    engine, *others = names_of_attempts(schemas)
+    for place, names in zip(("schema", "page"), others):
+        for name in engine ^ names:
+            wrong += 1
+            print(f"attempt '{name}': {'missing in the' if name in engine else 'only in the'} {place}")
 
     def check(name, text, what):
         nonlocal wrong, seen
@@ -47,9 +63,12 @@ def main():
         subprocess.run([program, "sample", "-o", sample], check=True, capture_output=True)
         many = Path(folder) / "many.off"
         many.write_text(many_open_tetrahedra(1002))
-        for words in (["info", many, "--json", "-"], ["fill", many, "-o", Path(folder) / "out.ply", "--report", "-"]):
-            run = subprocess.run([program, *words], capture_output=True, text=True)
-            check("info" if words[0] == "info" else "report", run.stdout, f"{words[0]} of 1002 loops")
+        few = Path(folder) / "few.off"
+        few.write_text(many_open_tetrahedra(3))
+        for scan in (many, few):
+            for words in (["info", scan, "--json", "-"], ["fill", scan, "-o", Path(folder) / "out.ply", "--report", "-"]):
+                run = subprocess.run([program, *words], capture_output=True, text=True)
+                check("info" if words[0] == "info" else "report", run.stdout, f"{words[0]} {scan.name}")
         for scan in [sample] + sorted(p for p in scans.iterdir() if p.suffix in (".ply", ".obj", ".off", ".stl")):
             run = subprocess.run([program, "info", scan, "--json", "-"], capture_output=True, text=True)
             if run.returncode == 0:
