@@ -157,7 +157,7 @@ QVariant HoleTable::sort_key(int loop, int column) const {
   }
 }
 
-/// As the patch's last state knows it. Null where the hole is not filled yet, or was too small to ask.
+/// Of the last recorded state. Null where no flow has run, or the hole was too small for an estimate.
 const BoundarySummary* HoleTable::boundary_of(int loop) const {
   const OpenPatch* patch = document_.patch_of(loop);
   if (!patch) return nullptr;

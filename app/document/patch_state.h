@@ -70,7 +70,7 @@ struct PatchRecipe {
 /// What the engine made, and what is shown of it. Without the history of steps: the timeline holds the states themselves.
 struct PatchState : PatchResult {
   SurfaceShapePtr shape;
-  PatchRecipe recipe;                                 ///< `steps` counts from the initial patch on
+  PatchRecipe recipe;    ///< `steps` counts from the initial patch on
   StepRecord last_step;  ///< meaningful when steps > 0
 };
 using PatchStatePtr = std::shared_ptr<const PatchState>;

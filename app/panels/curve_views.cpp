@@ -132,7 +132,7 @@ void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
   if (graph_out >= 0) plot_->set_data(graph_out, arc, outside);
 }
 
-/// Fitted when it is first drawn, and again where the fixed vertices are others.
+/// Fitted when the band is first drawn, and again for other fixed vertices.
 const std::vector<float>& SectionView::curvature_uncertainty_of(const Patch& patch) {
   Points fixed(patch.positions.begin() + patch.free_count, patch.positions.end());
   if (std::exchange(fixed_, std::move(fixed)) != fixed_) uncertainty_ = curvature_uncertainty(patch);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A progress bar whose state "busy" moves a few times a second. Where OpenGL runs in software, each change of a widget composes
-// the whole window again: the style's own animation, 60 pictures a second, takes a processor from the job that it waits for.
+// A progress bar that moves a few times a second while it is busy. Where OpenGL runs in software, each change of a widget
+// composes the whole window again: the style's own animation, 60 pictures a second, would take a processor from the job.
 #pragma once
 
 #include <QProgressBar>

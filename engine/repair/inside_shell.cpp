@@ -128,7 +128,7 @@ class RayGrid {
   std::vector<int> face_;
 };
 
-/// What decides where rounding might: CGAL's, with exact predicates.
+/// CGAL's search with exact predicates, for points that the grid leaves undecided.
 struct ExactSides {
   explicit ExactSides(const Points& corners) {
     const auto vertex = [&](const Vec3& p) { return mesh.add_vertex(Kernel::Point_3(p.x(), p.y(), p.z())); };

@@ -366,7 +366,8 @@ TEST_F(Batch, CallsFilledOnlyWhatHasAPatch) {
   write_ball(scans / "open.ply", 0.9);
   const auto run = batch("--fail-on open");
   EXPECT_EQ(run.code, 0);
-  EXPECT_THAT(run.out, HasSubstr("3 scans: 1 filled, 0 of them to look at, 0 left open, 0 errors, 2 with nothing to fill;"));
+  EXPECT_THAT(run.out,
+              HasSubstr("3 scans: 1 filled, 0 of them to look at, 0 left open, 0 errors, 2 with nothing to fill;"));
   EXPECT_THAT(statuses(),
               ElementsAre(Pair("open.ply", "filled"), Pair("sheet.off", "nothing"), Pair("whole.ply", "nothing")));
   const std::string page = text_of(results / "summary.html");

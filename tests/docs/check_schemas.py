@@ -66,7 +66,8 @@ def main():
         few = Path(folder) / "few.off"
         few.write_text(many_open_tetrahedra(3))
         for scan in (many, few):
-            for words in (["info", scan, "--json", "-"], ["fill", scan, "-o", Path(folder) / "out.ply", "--report", "-"]):
+            out = Path(folder) / "out.ply"
+            for words in (["info", scan, "--json", "-"], ["fill", scan, "-o", out, "--report", "-"]):
                 run = subprocess.run([program, *words], capture_output=True, text=True)
                 check("info" if words[0] == "info" else "report", run.stdout, f"{words[0]} {scan.name}")
         for scan in [sample] + sorted(p for p in scans.iterdir() if p.suffix in (".ply", ".obj", ".off", ".stl")):
