@@ -115,8 +115,7 @@ void SectionView::showEvent(QShowEvent* event) {
   update_plot();
 }
 
-void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
-  const SectionProfile profile = section_profile(state.patch, loop_, angle_->value() * degree, state.shape->H);
+void SectionView::draw(const SectionProfile& profile, int graph_in, int graph_out) {
   QVector<double> arc, inside, outside;
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < profile.arc.size(); ++i) {
@@ -132,28 +131,27 @@ void SectionView::draw(const PatchState& state, int graph_in, int graph_out) {
   if (graph_out >= 0) plot_->set_data(graph_out, arc, outside);
 }
 
-/// Fitted when the band is first drawn, and again for other fixed vertices.
-const std::vector<float>& SectionView::curvature_uncertainty_of(const Patch& patch) {
-  Points fixed(patch.positions.begin() + patch.free_count, patch.positions.end());
-  if (std::exchange(fixed_, std::move(fixed)) != fixed_) uncertainty_ = curvature_uncertainty(patch);
-  return uncertainty_;
-}
-
-/// How far the neighborhood knows its own H, around its line.
-void SectionView::draw_band(const PatchState& state) {
-  constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<float>& known = curvature_uncertainty_of(state.patch);
-  std::vector<float> low(state.patch.vertex_count(), none), high = low;
-  for (std::size_t k = 0; k < known.size(); ++k) {
-    const std::size_t i = k + state.patch.free_count;
-    low[i] = state.shape->H[i] - known[k];
-    high[i] = state.shape->H[i] + known[k];
+/// How far the neighborhood knows its own H, around its line. Fits at the vertices beside the section alone take
+/// milliseconds; at all vertices of a large hole they would stop the window.
+void SectionView::draw_band(const Patch& patch, const SectionProfile& profile) {
+  std::vector<int> beside;
+  for (const auto& edge : profile.edge) beside.insert(beside.end(), edge.begin(), edge.end());
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  const std::vector<float> known = curvature_uncertainty(patch, beside);
+  const auto at = [&](int v) {
+    return v < patch.free_count ? std::numeric_limits<double>::quiet_NaN() : known[v - patch.free_count];
+  };
+  QVector<double> arc, low, high;
+  for (std::size_t i = 0; i < profile.arc.size(); ++i) {
+    const auto [a, b] = profile.edge[i];
+    const double sigma = (1 - profile.weight[i]) * at(a) + profile.weight[i] * at(b);
+    arc << profile.arc[i];
+    low << profile.value[i] - sigma;
+    high << profile.value[i] + sigma;
   }
-  for (const auto& [graph, values] : {std::pair{band_low, &low}, std::pair{band_high, &high}}) {
-    const SectionProfile profile = section_profile(state.patch, loop_, angle_->value() * degree, *values);
-    plot_->set_data(graph, QVector<double>(profile.arc.begin(), profile.arc.end()),
-                    QVector<double>(profile.value.begin(), profile.value.end()));
-  }
+  plot_->set_data(band_low, arc, low);
+  plot_->set_data(band_high, arc, high);
 }
 
 void SectionView::update_plot() {
@@ -161,9 +159,15 @@ void SectionView::update_plot() {
   angle_->setEnabled(now_ != nullptr);
   for (int graph : {around_now, patch_now, patch_before, band_low, band_high}) plot_->set_data(graph, {}, {});
   plot_->show_words(now_ ? QString() : tr("Fill a hole, and H across its seam is drawn here."));
-  if (before_) draw(*before_, patch_before, -1);
-  if (now_) draw(*now_, patch_now, around_now);
-  if (now_) draw_band(*now_);
+  const auto section_of = [&](const PatchState& state) {
+    return section_profile(state.patch, loop_, angle_->value() * degree, state.shape->H);
+  };
+  if (before_) draw(section_of(*before_), patch_before, -1);
+  if (now_) {
+    const SectionProfile section = section_of(*now_);
+    draw(section, patch_now, around_now);
+    draw_band(now_->patch, section);
+  }
   plot_->redraw();
 }
 

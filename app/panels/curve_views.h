@@ -12,6 +12,7 @@ class QSlider;
 namespace loopmend {
 
 class Plot;
+struct SectionProfile;
 
 /// Energy and residual against the step.
 class EnergyView : public QWidget {
@@ -42,17 +43,14 @@ class SectionView : public QWidget {
 
  private:
   void update_plot();
-  void draw(const PatchState& state, int graph_in, int graph_out);
-  void draw_band(const PatchState& state);
-  const std::vector<float>& curvature_uncertainty_of(const Patch& patch);
+  void draw(const SectionProfile& profile, int graph_in, int graph_out);
+  void draw_band(const Patch& patch, const SectionProfile& profile);
 
   Plot* plot_;
   QSlider* angle_;
   QLabel* angle_value_;
   PatchStatePtr now_, before_;
   int loop_ = 0;
-  Points fixed_;                    ///< of the patch whose uncertainty is known
-  std::vector<float> uncertainty_;  ///< of H, one for each of them
 };
 
 }  // namespace loopmend

@@ -18,7 +18,8 @@ using Edge = std::pair<int, int>;
 /// A point of the cut, on an edge of the mesh.
 struct Crossing {
   Vec3 at = Vec3::Zero();  ///< patch frame
-  double value = 0;
+  std::array<int, 2> edge = {0, 0};
+  double weight = 0;              ///< of the second vertex
   std::vector<std::size_t> next;  ///< neighbours along the cut, at most two
   std::vector<bool> inside;       ///< for each neighbour: does the way there lie in the patch?
 };
@@ -46,21 +47,21 @@ Plane plane_across(const Patch& patch, const std::vector<int>& loop, double angl
   return {middle, -std::sin(angle) * longest + std::cos(angle) * across};
 }
 
-std::size_t crossing_on(Cut& cut, const Patch& patch, std::span<const float> values, const std::vector<double>& height,
-                        int a, int b) {
+std::size_t crossing_on(Cut& cut, const Patch& patch, const std::vector<double>& height, int a, int b) {
   if (a > b) std::swap(a, b);
   const auto [entry, added] = cut.at_edge.emplace(Edge{a, b}, cut.crossings.size());
   if (added) {
     const double t = height[a] / (height[a] - height[b]);
     Crossing crossing;
     crossing.at = (1 - t) * patch.positions[a] + t * patch.positions[b];
-    crossing.value = (1 - t) * values[a] + t * values[b];
+    crossing.edge = {a, b};
+    crossing.weight = t;
     cut.crossings.push_back(std::move(crossing));
   }
   return entry->second;
 }
 
-Cut cut_by(const Patch& patch, std::span<const float> values, const Plane& plane) {
+Cut cut_by(const Patch& patch, const Plane& plane) {
   std::vector<double> height(patch.positions.size());
   for (std::size_t v = 0; v < height.size(); ++v) {
     height[v] = plane.normal.dot(patch.positions[v] - plane.through);
@@ -72,7 +73,7 @@ Cut cut_by(const Patch& patch, std::span<const float> values, const Plane& plane
     std::vector<std::size_t> ends;
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
-      if ((height[a] > 0) != (height[b] > 0)) ends.push_back(crossing_on(cut, patch, values, height, a, b));
+      if ((height[a] > 0) != (height[b] > 0)) ends.push_back(crossing_on(cut, patch, height, a, b));
     }
     if (ends.size() != 2) continue;
     const bool inside = static_cast<int>(f) < patch.patch_triangles;
@@ -127,7 +128,7 @@ SectionProfile section_profile(const Patch& patch, int loop, double angle, std::
     throw InvalidArgument(say("the patch has no loop %1", loop));
   if (values.size() != patch.positions.size())
     throw InvalidArgument(say("a section needs one value for each vertex of the patch"));
-  const Cut cut = cut_by(patch, values, plane_across(patch, patch.loops[loop], angle));
+  const Cut cut = cut_by(patch, plane_across(patch, patch.loops[loop], angle));
   const Chain chain = longest_through_patch(cut);
   SectionProfile profile;
   double arc = 0, first_inside = 0, last_inside = 0;
@@ -139,9 +140,11 @@ SectionProfile section_profile(const Patch& patch, int loop, double angle, std::
     if (inside && !std::exchange(any_inside, true)) first_inside = arc;
     if (inside) last_inside = arc;
     profile.arc.push_back(arc);
-    profile.value.push_back(here.value);
+    profile.value.push_back((1 - here.weight) * values[here.edge[0]] + here.weight * values[here.edge[1]]);
     profile.side.push_back(inside ? SectionProfile::Side::patch : SectionProfile::Side::neighborhood);
     profile.path.push_back(patch.to_mesh(here.at));
+    profile.edge.push_back(here.edge);
+    profile.weight.push_back(here.weight);
   }
   for (double& s : profile.arc) s -= 0.5 * (first_inside + last_inside);
   return profile;

@@ -4,6 +4,7 @@
 
 #include "mesh/patch.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct SectionProfile {
   std::vector<double> value;  ///< #samples, interpolated along the cut edges
   std::vector<Side> side;     ///< #samples, a sample on the seam belongs to the patch
   Points path;                ///< #samples
+  std::vector<std::array<int, 2>> edge;  ///< #samples, the vertices of the patch between which the sample lies
+  std::vector<double> weight;            ///< #samples, in [0, 1], of the second of them
 };
 
 /// Cuts along the axis of a loop, in the direction that `angle` names within the loop's plane.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace loopmend {
 
@@ -81,14 +82,20 @@ std::vector<std::vector<BoundaryFit>> boundary_fits(const Patch& patch, const Fi
 }
 
 std::vector<float> curvature_uncertainty(const Patch& patch) {
+  std::vector<int> fixed(patch.vertex_count() - patch.free_count);
+  std::iota(fixed.begin(), fixed.end(), patch.free_count);
+  return curvature_uncertainty(patch, fixed);
+}
+
+std::vector<float> curvature_uncertainty(const Patch& patch, std::span<const int> vertices) {
   constexpr int farthest = 4;
-  std::vector<int> near;
-  for (int i = patch.free_count; i < patch.vertex_count(); ++i)
-    if (patch.ring[i] <= farthest) near.push_back(i);
-  const std::vector<BoundaryFit> fits = fits_at(near, patch, FixedSurface(patch));
+  std::vector<int> fitted;
+  for (int i : vertices)
+    if (i >= patch.free_count && patch.ring[i] <= farthest) fitted.push_back(i);
+  const std::vector<BoundaryFit> fits = fits_at(fitted, patch, FixedSurface(patch));
   std::vector<float> sigma(patch.vertex_count() - patch.free_count, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t k = 0; k < fits.size(); ++k)
-    if (fits[k].valid) sigma[near[k] - patch.free_count] = static_cast<float>(fits[k].H_sigma / patch.scale);
+    if (fits[k].valid) sigma[fitted[k] - patch.free_count] = static_cast<float>(fits[k].H_sigma / patch.scale);
   return sigma;
 }
 

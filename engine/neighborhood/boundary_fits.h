@@ -7,6 +7,9 @@
 #include "operators/vertex_normals.h"
 #include "split/split_estimate.h"
 
+#include <span>
+#include <vector>
+
 namespace loopmend {
 
 /// The triangles around a patch by themselves, with what fits to them need.
@@ -39,6 +42,8 @@ std::vector<std::vector<BoundaryFit>> boundary_fits(const Patch& patch, const Fi
 /// Standard deviation of H, 1/length in mesh units, at each fixed vertex of rings 1 to 4, from the same fits; NaN farther out
 /// and where there is no fit. One value for each fixed vertex, in their order.
 std::vector<float> curvature_uncertainty(const Patch& patch);
+/// The same at the given vertices of the patch alone, NaN at all others.
+std::vector<float> curvature_uncertainty(const Patch& patch, std::span<const int> vertices);
 
 /// What a person wants to know of one boundary. Mesh units.
 struct BoundarySummary {

@@ -31,6 +31,12 @@ TEST(SectionProfile, RunsOnceAcrossTheSphereCap) {
     for (std::size_t i = 0; i < profile.arc.size(); ++i) {
       EXPECT_GE(profile.arc[i], profile.arc[i > 0 ? i - 1 : 0]);
       EXPECT_NEAR(profile.path[i].norm(), 1, 0.01);
+      const auto [a, b] = profile.edge[i];
+      const double t = profile.weight[i];
+      EXPECT_GE(t, 0);
+      EXPECT_LE(t, 1);
+      const Vec3 on_edge = (1 - t) * patch.positions[a] + t * patch.positions[b];
+      EXPECT_LT((patch.to_mesh(on_edge) - profile.path[i]).norm(), 1e-12);
       if (profile.side[i] != SectionProfile::Side::patch) continue;
       first = std::min(first, profile.arc[i]);
       last = std::max(last, profile.arc[i]);

@@ -51,6 +51,29 @@ TEST(BoundaryFits, UncertaintyIsThatOfTheErrors) {
   }
 }
 
+TEST(BoundaryFits, UncertaintyOfHIsKnownAtFixedVerticesThatWereAskedFor) {
+  TriangleSoup soup = make_icosphere(5);
+  Random random(4);
+  for (Vec3& p : soup.points) p *= 1 + 0.001 * random.bell();
+  const Patch patch = test::start_of(make_surface_model(cut(soup, [](const Vec3& p) { return p.z() > 0.8; })));
+  const std::vector<float> all = curvature_uncertainty(patch);
+  ASSERT_EQ(static_cast<int>(all.size()), patch.vertex_count() - patch.free_count);
+  std::vector<int> asked{0};  // a free vertex has no fit
+  for (int i = patch.free_count; i < patch.vertex_count(); i += 7) asked.push_back(i);
+  const std::vector<float> some = curvature_uncertainty(patch, asked);
+  ASSERT_EQ(some.size(), all.size());
+  int known = 0;
+  for (int i = patch.free_count; i < patch.vertex_count(); ++i) {
+    const float sigma = some[i - patch.free_count];
+    const bool expected = (i - patch.free_count) % 7 == 0 && patch.ring[i] <= 4;
+    EXPECT_EQ(std::isfinite(sigma), expected) << i;
+    if (!expected) continue;
+    ++known;
+    EXPECT_EQ(sigma, all[i - patch.free_count]) << i;  // white noise: fits of five rings in both
+  }
+  EXPECT_GT(known, 30);
+}
+
 TEST(BoundaryFits, SummaryIsInMeshUnits) {
   TriangleSoup soup = cut(make_icosphere(5), [](const Vec3& p) { return p.z() > 0.8; });
   for (Vec3& p : soup.points) p *= 100;
