@@ -13,9 +13,11 @@
 #include <QGroupBox>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace loopmend {
 
@@ -29,6 +31,19 @@ int width_with_folds(const QWidget& content) {
     for (const auto* fold : box->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
       width = std::max(width, fold->minimumSizeHint().width() + margins_of_box_and_panel);
   return width;
+}
+
+/// The least y from `top` on that runs through no visible control.
+int first_whole_row(const QWidget& content, int top) {
+  for (bool through_one = true; std::exchange(through_one, false);)
+    for (const QWidget* control : content.findChildren<QWidget*>()) {
+      const bool is_box = !control->findChildren<QWidget*>().empty();
+      const int y = control->mapTo(&content, QPoint()).y();
+      if (is_box || !control->isVisible() || y >= top || y + control->height() <= top) continue;
+      top = y + control->height();
+      through_one = true;
+    }
+  return top;
 }
 
 }  // namespace
@@ -95,9 +110,15 @@ void PatchPanel::update_state() {
 /// In a low window, to what the selected holes need next: filling, or a decision and the flow. Never under the mouse.
 void PatchPanel::scroll_to_step() {
   if (selection_.selected().empty() || underMouse()) return;
-  const bool open = !loops_to_fill(document_, selection_).empty() || chosen_patches(document_, selection_).empty();
-  if (!open) scroll_->ensureWidgetVisible(flow_, 0, 0);
-  scroll_->ensureWidgetVisible(open ? static_cast<QWidget*>(fill_) : decision_, 0, 0);
+  if (!loops_to_fill(document_, selection_).empty() || chosen_patches(document_, selection_).empty()) {
+    scroll_->widget()->setMinimumHeight(0);
+    scroll_->ensureWidgetVisible(fill_, 0, 0);
+    return;
+  }
+  const int page = scroll_->viewport()->height(), below = flow_->geometry().bottom() + 1 - page;
+  const int top = std::min(first_whole_row(*scroll_->widget(), below), decision_->y());
+  scroll_->widget()->setMinimumHeight(top > 0 ? top + page : 0);
+  QTimer::singleShot(0, this, [this, top] { scroll_->verticalScrollBar()->setValue(top); });  // of the new height
 }
 
 }  // namespace loopmend
