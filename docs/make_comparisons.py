@@ -133,7 +133,7 @@ def draw(program, folder, name, model, truth, options, view, zoom):
     whole = arrays(truth() if truth else whole_owl())
     with tempfile.TemporaryDirectory() as work:
         *ours, values = fill(program, points, faces, options, Path(work))
-    others = {o: other_programs.guarded(f, points, faces) for o, f in other_programs.OTHERS.items()}
+    others = {o: other_programs.guarded(o, points, faces) for o in other_programs.OTHERS}
     measured = {o: other_programs.alone(distances, whole, points, faces, filled) for o, filled in others.items() if filled}
     measured = {o: d for o, d in measured.items() if d}
     best = min(measured, key=measured.get)

@@ -136,7 +136,7 @@ def by_open3d(points, faces):
     import open3d
     mesh = open3d.t.geometry.TriangleMesh(open3d.core.Tensor(points), open3d.core.Tensor(np.asarray(faces, dtype=np.int64)))
     filled = mesh.fill_holes(float(np.ptp(points, axis=0).max()) * 10)
-    return filled.vertex.positions.numpy(), filled.triangle.indices.numpy()
+    return np.array(filled.vertex.positions.numpy()), np.array(filled.triangle.indices.numpy())  # else views of what is freed here
 
 
 OTHERS = {
@@ -150,19 +150,21 @@ OTHERS = {
 }
 
 
-def guarded(function, points, faces):
-    """Runs in a process of its own: some of these programs end the process, or do not end."""
+def work(name, points, faces, target):
+    import numpy as np
+    silent = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silent, 1)
+    os.dup2(silent, 2)
+    p, f = OTHERS[name](points, faces)
+    np.savez(target, p=np.asarray(p, dtype=float), f=np.asarray(f, dtype=int))
+
+
+def guarded(name, points, faces):
+    """One of OTHERS in a new process: some of them end the process, or do not end. A fork of this one has no threads, and they wait for them."""
     import numpy as np
     with tempfile.TemporaryDirectory() as folder:
         target = os.path.join(folder, "out.npz")
-
-        def work():
-            silent = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(silent, 1)
-            os.dup2(silent, 2)
-            p, f = function(points, faces)
-            np.savez(target, p=np.asarray(p, dtype=float), f=np.asarray(f, dtype=int))
-        process = multiprocessing.get_context("fork").Process(target=work)
+        process = multiprocessing.get_context("spawn").Process(target=work, args=(name, points, faces, target))
         process.start()
         process.join(LIMIT_S)
         if process.is_alive():
@@ -354,8 +356,8 @@ def run(arguments):
                 results = {"Loopmend": by_loopmend(arguments.program, points, faces, [])}
                 if arguments.at == "anywhere":
                     results["Loopmend --mirror"] = by_loopmend(arguments.program, points, faces, ["--mirror"])
-                for other, function in OTHERS.items():
-                    results[other] = guarded(function, points, faces)
+                for other in OTHERS:
+                    results[other] = guarded(other, points, faces)
                 line = []
                 for method, filled in results.items():
                     d = None if filled is None else alone(distance, mesh, removed, rim, filled, np.random.default_rng(5))
