@@ -230,10 +230,18 @@ std::vector<LoopsAlike> groups_alike(const SurfaceModel& model, const InitialPat
   };
   std::vector<LoopsAlike> alone;
   std::map<Treatment, std::vector<int>> of_treatment;
+  std::vector<int> without_vertices;
   for (int k = 0; k < static_cast<int>(group.loops.size()); ++k) {
     alone.push_back({{k}, std::nullopt});
-    of_treatment[treatment(alone.back())].push_back(k);
+    const std::optional<LoopPatch>& patch = group.outcomes[k].patch;
+    if (patch && patch->points.size() == group.loops[k].vertices.size())
+      without_vertices.push_back(k);
+    else
+      of_treatment[treatment(alone.back())].push_back(k);
   }
+  // A patch without free vertices matters as the neighborhood of others alone: else there is nothing to estimate for it.
+  const bool any_together = of_treatment.contains(Treatment::exact) || of_treatment.contains(Treatment::flat_cut);
+  for (int k : without_vertices) of_treatment[any_together ? treatment(alone[k]) : Treatment::apart].push_back(k);
   std::vector<LoopsAlike> result;
   for (const auto& [asked, loops] : of_treatment)
     for (const std::vector<int>& members : group_loops(model, picked(group.loops, loops))) {

@@ -297,6 +297,7 @@ class GroupSolver {
   }
 
   PatchResult flowed(const PatchProblem& problem, const InitialPatch& initial) const {
+    if (problem.initial.free_count == 0) return solve_patch(problem, *options_.evolution, observer_.on_step, cancel_);
     const auto start = std::chrono::steady_clock::now();
     const BoundarySurvey survey =
         initial.survey ? *initial.survey : survey_boundary(problem.initial, cancel_, initial.split);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/tiny_hole.h"
 
+#include "core/random.h"
 #include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -169,6 +171,32 @@ TEST(TinyHole, AGroupFromItsInitialPatchGivesTheSame) {
   EXPECT_EQ(a.boundary, b.boundary);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.triangles, b.triangles);
+}
+
+/// They are solved as one group, and none has a vertex that a flow could move: nothing is estimated around them.
+TEST(TinyHole, TrianglesThatTouchAreClosedWithoutALookAtTheNeighborhood) {
+  for (double noise : {0.0, 0.005}) {
+    TriangleSoup whole = make_icosphere(4);
+    Random random(3);
+    for (Vec3& p : whole.points) p *= 1 + noise * random.bell();
+    const Triangle first = whole.triangles[100];
+    int second = -1;
+    for (int f : star(whole, first[0])) {
+      const Triangle& t = whole.triangles[f];
+      if (std::ranges::count(t, first[1]) + std::ranges::count(t, first[2]) == 0) second = f;
+    }
+    ASSERT_GE(second, 0);
+    SurfaceModel model = model_without(whole, {100, second});
+    const std::vector<HoleResult> holes = fill_all_holes(model);
+    ASSERT_EQ(holes.size(), 2u);
+    for (const HoleResult& hole : holes) {
+      EXPECT_EQ(hole.status, PatchStatus::filled) << hole.message;
+      EXPECT_EQ(hole.free_vertices, 0);
+      EXPECT_TRUE(hole.outcome().neighborhood.empty());
+    }
+    EXPECT_TRUE(find_boundary_loops(model).empty());
+    EXPECT_EQ(model.mesh.n_faces(), whole.triangles.size());
+  }
 }
 
 }  // namespace
