@@ -139,11 +139,6 @@ std::string in_two_digits(double length) {
   return text;
 }
 
-std::string two_digits_above(double length) {
-  const double unit = std::pow(10, std::floor(std::log10(length)) - 1);
-  return in_two_digits(std::ceil(length / unit) * unit);
-}
-
 /// The length with which stitching zips both boundaries from end to end; empty where they are not so near, or it would not close
 /// them, or would close others than loops of gaps.
 std::string length_that_zips(const ScanPlan& plan, std::size_t k, std::size_t l, const std::set<std::size_t>& of_gaps) {
@@ -152,7 +147,8 @@ std::string length_that_zips(const ScanPlan& plan, std::size_t k, std::size_t l,
   const double distance =
       distance_all_along(plan.model.soup.points, soup_points(plan.model, a), soup_points(plan.model, b));
   if (!(distance > 0) || distance > ragged_gap_in_edges * edge) return {};
-  const std::string length = two_digits_above(distance);
+  const double unit = std::pow(10, std::floor(std::log10(distance)) - 1);
+  const std::string length = in_two_digits(std::ceil(distance / unit) * unit);
   const NearBoundaries near = near_boundaries(plan.model, stitch_tolerance_of(length));
   const auto closing = [&](std::size_t loop) { return closing_edges(plan.model, plan.loops[loop], near); };
   std::size_t expected = 0;
@@ -263,14 +259,19 @@ std::vector<BoundaryLoop> without_gaps(const ScanPlan& plan) {
   return loops;
 }
 
-/// Outlines that are left, of which --stitch would close a tenth or more.
+/// Of a loop's edges those that --stitch would close; 0 below a tenth: joining so few cures no loop.
+int edges_to_stitch(const ScanPlan& plan, std::size_t loop) {
+  const int closing = closing_edges(plan.model, plan.loops[loop], plan.coincident);
+  return 10 * closing >= plan.loops[loop].edges() ? closing : 0;
+}
+
+/// Outlines that are left, and that --stitch would close in part.
 std::size_t count_abutting(const ScanPlan& plan) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < plan.loops.size(); ++k) {
-    const BoundaryLoop& loop = plan.loops[k];
-    if (loop.kind != LoopKind::outer_rim || plan.choices[k].left != LoopChoice::Left::as_asked || plan.at_walls[k])
-      continue;
-    count += !plan.choices[k].fill && 10 * closing_edges(plan.model, loop, plan.coincident) >= loop.edges();
+    const LoopChoice& choice = plan.choices[k];
+    const bool is_left = !choice.fill && choice.left == LoopChoice::Left::as_asked && !plan.at_walls[k];
+    count += is_left && plan.loops[k].kind == LoopKind::outer_rim && edges_to_stitch(plan, k) > 0;
   }
   return count;
 }
@@ -348,8 +349,7 @@ void try_advice(ScanPlan& plan, const FillOptions& options, const CancelToken& c
   std::optional<AdviceTrials> trials;
   int tried = 0;
   const auto has_cure = [&](std::size_t k) {
-    return closing_edges(plan.model, plan.loops[k], plan.coincident) > 0 ||
-           std::ranges::any_of(plan.rim_groups, [&](const RimGroup& group) {
+    return edges_to_stitch(plan, k) > 0 || std::ranges::any_of(plan.rim_groups, [&](const RimGroup& group) {
              return std::ranges::count(group.loops, static_cast<int>(k)) > 0;
            });
   };
@@ -480,7 +480,7 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
                                "left open as it was")
                                .with_code("boundary_crosses");
     const bool is_unsound = results[k].status == PatchStatus::failed || results[k].verdict().grade == Grade::bad;
-    const int closing = is_unsound ? closing_edges(plan.model, plan.loops[k], plan.coincident) : 0;
+    const int closing = is_unsound ? edges_to_stitch(plan, k) : 0;
     if (closing > 0) {  // the sides of a crack may cross each other: joining them cures that, too
       const bool says_no_more = results[k].message.empty() || results[k].message.code == "boundary_crosses";
       results[k].message =

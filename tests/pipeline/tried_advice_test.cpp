@@ -105,5 +105,24 @@ TEST(TriedAdvice, TrimmingIsNamedWhereItCloses) {
   EXPECT_TRUE(is_filled(filled(soup, job).holes.at(0).status));
 }
 
+/// One loop edge of some forty beside a fragment: joining the two would not end that the flap crosses the ball.
+TEST(TriedAdvice, StitchingIsNotNamedForTheSakeOfOneEdge) {
+  TriangleSoup soup = ball_with_a_flap();
+  const SurfaceModel model = make_surface_model(soup);
+  const BoundaryLoop loop = find_boundary_loops(model).front();
+  const std::size_t across = loop.vertices.size() / 2;
+  const Vec3 a = soup.points[model.soup_vertex[loop.vertices[across]]],
+             b = soup.points[model.soup_vertex[loop.vertices[across + 1]]];
+  const int first = static_cast<int>(soup.points.size());
+  const Vec3 aside = 0.05 * (b - a).norm() * Vec3::UnitZ();
+  for (const Vec3& p : {Vec3(b + aside), Vec3(a + aside), Vec3((a + b) / 2 + 20 * aside)}) soup.points.push_back(p);
+  soup.triangles.push_back({first + 1, first, first + 2});
+  const Filled run = filled(soup);
+  const int closing = closing_edges(run.plan.model, run.holes.at(0).loop, run.plan.coincident);
+  EXPECT_EQ(closing, 1);
+  EXPECT_THAT(run.holes[0].message.english(), HasSubstr("--trim-crossing closes it"));
+  EXPECT_THAT(run.holes[0].message.english(), Not(HasSubstr("--stitch")));
+}
+
 }  // namespace
 }  // namespace loopmend
