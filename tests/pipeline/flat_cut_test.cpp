@@ -15,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 namespace loopmend {
 namespace {
@@ -110,6 +111,20 @@ TEST(FlatCut, IsNotWhatIsMissingOfAnEllipsoid) {
         ASSERT_EQ(loops.size(), 1U);
         EXPECT_EQ(loop_end(ellipsoid, loops[0]), LoopEnd::runs_on) << axes.transpose() << ' ' << angle << ' ' << level;
       }
+}
+
+/// The walls of long ellipsoids are nearly straight where they are cut.
+TEST(FlatCut, OfALongEllipsoidHangsOnHowFarItWouldGoOn) {
+  for (const double length : {3.2, 3.6, 4.0})
+    for (const auto& [height, end] :
+         {std::pair{0.35, LoopEnd::runs_on},  // of the missing tip, in diameters of the loop
+          std::pair{0.7, LoopEnd::flat_or_dome}, std::pair{1.3, LoopEnd::flat}}) {
+      // At z = length · c the radius is √(1 − c²), and length (1 − c) are missing.
+      const double q = std::pow(2 * height / length, 2), c = (1 - q) / (1 + q);
+      const auto radius = [&](double z) { return std::sqrt(std::max(0.0, 1 - z * z / (length * length))); };
+      const SurfaceModel ellipsoid = open_above(radius, length * c);
+      EXPECT_EQ(loop_end(ellipsoid, upper(ellipsoid)), end) << length << ' ' << height;
+    }
 }
 
 /// Nothing tells an egg without its end from a base that curves in: closed flat, and said so.
