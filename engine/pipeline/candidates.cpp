@@ -10,6 +10,8 @@
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/multi_start.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -34,6 +36,7 @@ struct Situation {
   std::optional<SharpPatch> sharp;     ///< where sharp edges run on into the hole
   std::optional<Sphere> sphere;        ///< on which all vertices around lie; patch frame
   bool has_clear_edges = false;        ///< whether sharp edges end at the hole beyond doubt
+  bool is_in_plane_face = false;       ///< the hole's faces lie in one plane, and the surface bends farther out
 
   const Patch& initial() const { return context.problem.initial; }
   bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
@@ -57,6 +60,35 @@ std::optional<Patch> triangulation_of(const PatchProblem& problem, const CancelT
       make_initial_patch(problem.scan.model, closed, {initial.grading.density, InitialShape::triangulated}, cancel)
           .patch;
   return patch && patch->loop_numbers == initial.loop_numbers && patch->free_count > 0 ? patch : std::nullopt;
+}
+
+/// A plane loop, of whose faces at least half lie in that plane, where the surface bends farther out: fits over several rings see a
+/// fillet there, which the flow would continue.
+bool lies_in_plane_face(const Patch& patch) {
+  constexpr double off_plane = 1e-5;  // in diameters; more than single precision leaves, less than any scanned face
+  std::vector<Vec3> points;
+  for (const std::vector<int>& loop : patch.loops)
+    for (int v : loop) points.push_back(patch.positions[v]);
+  if (points.empty()) return false;
+  Vec3 center = Vec3::Zero();
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : points) center += p / static_cast<double>(points.size());
+  for (const Vec3& p : points) spread += (p - center) * (p - center).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const Vec3 normal = axes.eigenvectors().col(0), along = axes.eigenvectors().col(2);
+  const auto [low, high] = std::ranges::minmax(points, {}, [&](const Vec3& p) { return along.dot(p); });
+  const double most = off_plane * along.dot(high - low);
+  const auto is_off = [&](const Vec3& p) { return std::abs(normal.dot(p - center)) > most; };
+  if (std::ranges::any_of(points, is_off)) return false;
+  int in_plane = 0, beside = 0;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
+    const Triangle& t = patch.triangles[f];
+    if (std::ranges::count_if(t, [&](int v) { return patch.ring[v] == 1; }) < 2) continue;
+    ++beside;
+    in_plane += std::ranges::none_of(t, [&](int v) { return is_off(patch.positions[v]); });
+  }
+  return 2 * in_plane >= beside &&
+         std::any_of(patch.positions.begin() + patch.free_count, patch.positions.end(), is_off);
 }
 
 std::vector<LoopEnd> ends_of(const PatchProblem& problem) {
@@ -190,6 +222,7 @@ bool is_rough(const Situation& s) { return s.is_rough(); }
 bool is_cut(const Situation& s) { return s.is_cut(); }
 bool is_toothed(const Situation& s) { return s.is_cut() && s.ends.size() == 1 && s.ends.front() == LoopEnd::toothed; }
 bool is_on_sphere(const Situation& s) { return s.sphere.has_value(); }
+bool is_in_plane_face(const Situation& s) { return s.is_in_plane_face; }
 bool has_sharp_edges(const Situation& s) { return s.sharp.has_value(); }
 /// The flow for which there is anything else to fall back on.
 bool can_fall_back(const Situation& s) {
@@ -211,6 +244,7 @@ const Candidate candidates[] = {
     {text_to_say("minimal surface over a cut"), is_cut, position},
     {text_to_say("initial patch over a cut"), is_cut, initial_patch},
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},
+    {text_to_say("plane face"), is_in_plane_face, position},
     {text_to_say("flow"), is_exact, flow},
     {text_to_say("split flow"), is_rough, split, true},
     {text_to_say("sphere"), is_on_sphere, cap_of_sphere},
@@ -246,6 +280,12 @@ Message reason_of_cut(const Situation& s) {
                      : say("the surface ends at this loop, so that it was closed by a minimal surface"),
                 "; ", say("--boundary exact runs the flow itself"))
       .with_code("surface_ends");
+}
+
+Message reason_of_plane() {
+  return joined(say("the loop and the faces beside it lie in one plane, which was continued"), "; ",
+                say("--boundary exact runs the flow itself"))
+      .with_code("plane_face");
 }
 
 /// Of edges that a person drew, or that the scan has, where no patch was made that continues them.
@@ -288,6 +328,7 @@ PatchResult best_candidate(const Situation& s) {
     if (!made) continue;
     result.made_by = candidate.name;
     if (candidate.applies == is_cut) result.reason = reason_of_cut(s);
+    if (candidate.applies == is_in_plane_face) result.reason = reason_of_plane();
     if (tried.size() > 1) result.reason = why_not_the_first;
     if (candidate.applies == is_on_sphere)
       result.reason = say("all vertices around lie on one sphere, off which the flow ended: the missing part of the "
@@ -374,7 +415,8 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       ends,
                       std::nullopt,
                       sphere,
-                      false};
+                      false,
+                      is_judged(options) && edits.empty() && lies_in_plane_face(problem.initial)};
   if (is_judged(options)) {
     if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut()) {
       ContinuedEdges continued = continue_sharp_edges(problem.initial, edits, cancel);
@@ -382,7 +424,9 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
       if (situation.sharp) situation.sphere.reset();
       situation.has_clear_edges = continued.are_clear;
     }
-    if (CleanNeighborhood clean_neighborhood = remove_outliers(problem.initial); clean_neighborhood.outliers > 0) {
+    if (CleanNeighborhood clean_neighborhood =
+            situation.is_in_plane_face ? CleanNeighborhood() : remove_outliers(problem.initial);
+        clean_neighborhood.outliers > 0) {
       const SplitEstimate without = estimate_split(clean_neighborhood.patch, cancel);
       if (without.is_exact(SplitEstimate::exact_construction)) {
         situation.split = without;
