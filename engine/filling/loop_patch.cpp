@@ -36,7 +36,7 @@ struct FillContext {
   Points points;             ///< the loop, then the rings around it
   std::vector<int> vertex;   ///< n: for each place the first with the same vertex
   std::vector<char> shared;  ///< n: whether another boundary, or this one again, passes the vertex's position
-  Chords taken;              ///< that a patch must not have as edges: the surface has them
+  Chords taken;              ///< that a patch must not have as edges: the surface has them, or they run along it
   Triangles neighborhood;    ///< over `points`, by the first places
   std::vector<double> size;  ///< n: mean length of the edges of the neighborhood at each loop vertex
   BoundaryNormals boundary_normals;
@@ -72,6 +72,7 @@ void measure_neighborhood(FillContext& context) {
 void find_taken_chords(const BoundaryLoop& loop, FillContext& context) {
   context.taken = present_chords(context.neighborhood, context.vertex);
   context.taken.insert(loop.joined.begin(), loop.joined.end());
+  if (context.n <= longest_for_cubic) context.taken.merge(straight_chords(context.points, context.vertex));
 }
 
 FillContext make_context(const SurfaceModel& model, const BoundaryLoop& loop) {

@@ -198,6 +198,20 @@ Chords present_chords(const Triangles& neighborhood, const std::vector<int>& loo
   return chords;
 }
 
+Chords straight_chords(const Points& points, const std::vector<int>& loop) {
+  constexpr double straight = 1e-5;  // radians
+  const int n = static_cast<int>(loop.size());
+  const auto at = [&](int k) { return points[loop[k % n]]; };
+  const auto is_straight = [&](int k) {
+    const Vec3 to = at(k) - at(k - 1), from = at(k + 1) - at(k);
+    return to.dot(from) > 0 && to.cross(from).norm() < straight * to.dot(from);
+  };
+  Chords chords;
+  for (int i = 0; i < n; ++i)
+    for (int k = i + 2; k < i + n - 1 && is_straight(k - 1); ++k) chords.insert(std::minmax(i, k % n));
+  return chords;
+}
+
 Triangles triangulate_loop(const Points& points, const Triangles& neighborhood, const std::vector<int>& loop,
                            const Chords& avoided, TriangulationMethod method) {
   const OpenLoop open = seen_from_inside(points, neighborhood, loop, avoided);

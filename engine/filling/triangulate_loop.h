@@ -26,6 +26,10 @@ using Chords = std::set<std::pair<int, int>>;
 /// @param neighborhood, loop  as triangulate_loop() has them
 Chords present_chords(const Triangles& neighborhood, const std::vector<int>& loop);
 
+/// Chords along straight runs of a loop, up to 1e-5 at each vertex: rounding would decide on which side of the surface beside the run
+/// they pass.
+Chords straight_chords(const Points& points, const std::vector<int>& loop);
+
 /// @param points       the loop's neighbourhood, #P
 /// @param neighborhood triangles of the mesh around the loop, over `points`
 /// @param loop         n ≥ 3 indices into `points`, in the order of the boundary halfedges; one that the loop passes twice is

@@ -3,6 +3,7 @@
 
 #include "core/random.h"
 #include "pipeline/fill_holes.h"
+#include "repair/plane_cut.h"
 #include "samples/analytic_surfaces.h"
 #include "support/mirror_models.h"
 #include "support/sharp_surfaces.h"
@@ -290,6 +291,26 @@ TEST(FlatCut, ClosesBothEndsOfAnyStraightTube) {
         }
       }
   EXPECT_EQ(ends, 48);
+}
+
+/// A tube of facets that a plane cuts at 60°: the cut runs straight along each facet, up to rounding. What closes the section is removed.
+TEST(FlatCut, IsClosedWhereThePlaneCutsTheFacetsOfATube) {
+  for (const int sides : {32, 48, 64})
+    for (const double turned : {0.4, 1.3, 2.2}) {
+      const Eigen::AngleAxisd turn(turned, Vec3(1, 2, 3).normalized());
+      TriangleSoup tube = make_revolution([](double) { return 1.0; }, -3, 3, sides, 36);
+      const Vec3 normal = turn * Vec3(std::sin(1.05), 0, std::cos(1.05));
+      for (Vec3& p : tube.points) p = turn * p;
+      TriangleSoup cut = cut_by_plane(tube, make_cut_plane(0.02 * normal, normal)).soup;
+      std::erase_if(cut.triangles, [&](const Triangle& t) {
+        return std::ranges::all_of(t, [&](int v) { return normal.dot(cut.points[v]) > 0.02 - 1e-7; });
+      });
+      SurfaceModel model = make_surface_model(cut);
+      for (const HoleResult& hole : fill_all_holes(model)) {
+        EXPECT_EQ(hole.outcome().attempts.size(), 1u) << sides << ' ' << turned << ' ' << hole.loop.edges();
+        EXPECT_NE(hole.verdict().grade, Grade::bad) << sides << ' ' << turned << ' ' << hole.message;
+      }
+    }
 }
 
 /// The ends of a slot along a tube are less than a tenth of its boundary: the wall leans along nine tenths.
