@@ -10,10 +10,11 @@
 #include "panels/flow_box.h"
 #include "panels/progress_box.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QGroupBox>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -118,7 +119,9 @@ void PatchPanel::scroll_to_step() {
   const int page = scroll_->viewport()->height(), below = flow_->geometry().bottom() + 1 - page;
   const int top = std::min(first_whole_row(*scroll_->widget(), below), decision_->y());
   scroll_->widget()->setMinimumHeight(top > 0 ? top + page : 0);
-  QTimer::singleShot(0, this, [this, top] { scroll_->verticalScrollBar()->setValue(top); });  // of the new height
+  QEvent laid_out(QEvent::LayoutRequest);
+  QCoreApplication::sendEvent(scroll_, &laid_out);  // gives the content its new height
+  scroll_->verticalScrollBar()->setValue(top);
 }
 
 }  // namespace loopmend
