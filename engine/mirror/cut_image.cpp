@@ -31,7 +31,7 @@ constexpr std::size_t worth_smoothing = 40;
 constexpr double strip_margins[] = {0.45, 0.7, 1, 1.4};
 constexpr double free_bend_deg = 40, width_cost = 30;
 /// In edges of the loop. In a narrow slit what lies within the loop may be in several parts, of which one is kept. Of 17 copies (seed
-/// 23 of loopmend_cut_models) the three that were worst, 4 to 10 times as far as the ordinary patch, have 13 to 15, the others up to 6.5.
+/// 23 of loopmend_cut_models) the three worst, at 4 to 10 times the distance of the ordinary patch, have 13 to 15, the others up to 6.5.
 constexpr double widest_strip = 8;
 
 /// On which side of a loop a point lies: beyond the surface outside, where the loop's edges are nearest to it.
