@@ -7,7 +7,6 @@
 #include "filling/ring_bridge.h"
 #include "filling/wall_bridge.h"
 #include "mesh/directed_edges.h"
-#include "mesh/loop_facing.h"
 #include "mesh/quality.h"
 #include "mesh/self_intersections.h"
 #include "mesh/validity.h"
@@ -17,9 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
-#include <tuple>
 
 namespace loopmend {
 
@@ -36,17 +33,6 @@ constexpr double most_vertices = 2e6;
 /// took up to a minute, and never were.
 constexpr double tangled = 0.5;
 constexpr double many_vertices = 5000;
-
-std::vector<BridgeEnd> ends_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
-  std::vector<BridgeEnd> ends;
-  for (const BoundaryLoop& loop : loops) {
-    const LoopFacing facing = loop_facing(model, loop);
-    BridgeEnd end{{}, facing.axis, facing.onward, facing.conormals};
-    for (int v : loop.vertices) end.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
-    ends.push_back(std::move(end));
-  }
-  return ends;
-}
 
 void check_loops(const std::vector<BoundaryLoop>& loops) {
   if (loops.size() < 2) throw InvalidArgument(say("a blend needs at least two loops, not %1", loops.size()));
@@ -94,25 +80,6 @@ bool is_sound_wall(const Patch& wall) {
   const std::vector<Bend> own_bends = bends(wall.positions, own, wall.patch_triangles);
   return std::none_of(own_bends.begin(), own_bends.end(), [](const Bend& bend) { return bend.cosine < sharpest; }) &&
          self_intersections(wall.positions, wall.triangles, wall.patch_triangles).empty();
-}
-
-bool are_outlines_of_a_plate(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a,
-                             const BridgeEnd& end_b) {
-  return a.kind == LoopKind::outer_rim && b.kind == LoopKind::outer_rim && are_sides_of_a_plate(end_a, end_b);
-}
-
-/// Whether hole loops are the rims of a bore through a plate: they lie on each other, not far apart, and both surfaces look away from
-/// the other.
-bool are_rims_of_a_bore(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a, const BridgeEnd& end_b) {
-  constexpr double longest = 0.5;  // in diameters; longer ones may be two holes
-  const Vec3 way = b.center - a.center;
-  return a.kind == LoopKind::hole && b.kind == LoopKind::hole &&
-         way.norm() < longest * std::min(a.diameter, b.diameter) && end_a.axis.dot(way) < 0 &&
-         end_b.axis.dot(way) > 0 && are_sides_of_a_plate(end_a, end_b);
-}
-
-bool have_a_wall_between(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a, const BridgeEnd& end_b) {
-  return are_outlines_of_a_plate(a, b, end_a, end_b) || are_rims_of_a_bore(a, b, end_a, end_b);
 }
 
 Patch with_triangles(const Patch& empty, const Triangles& own) {
@@ -366,91 +333,6 @@ std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<
     if (is_sound_ring(ring)) return Bridge{ring, ring, patch_validity(ring), Bridge::Kind::ring};
   }
   return std::nullopt;
-}
-
-namespace {
-
-/// Two loops that a ring or a wall may join.
-struct RingSides {
-  double width;
-  int i, j;
-  std::optional<std::size_t> outline;  ///< of a ring: 0 for i, 1 for j
-
-  int outer() const { return *outline == 0 ? i : j; }
-  int inner() const { return *outline == 0 ? j : i; }
-};
-
-/// The outline of a block and the rims of two bores or more, all of one missing face: the loops beside each other within each outline.
-std::vector<std::vector<int>> groups_with_bores(const std::vector<BridgeEnd>& ends,
-                                                const std::vector<RingSides>& pairs) {
-  std::map<int, std::set<int>> within;
-  for (const RingSides& pair : pairs)
-    if (pair.outline && ends[pair.outer()].axis.dot(ends[pair.inner()].axis) < 0)
-      within[pair.outer()].insert(pair.inner());
-  std::vector<std::vector<int>> groups;
-  for (const auto& [outer, inner] : within) {
-    std::vector<int> group{outer};
-    for (const int k : inner)
-      if (std::ranges::none_of(pairs, [&](const RingSides& pair) {
-            return pair.outline && pair.inner() == k && inner.contains(pair.outer());
-          }))
-        group.push_back(k);
-    std::ranges::sort(group);
-    if (group.size() > 2 && lie_in_one_plane(ends, group)) groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
-}  // namespace
-
-std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                         const CancelToken& cancel) {
-  constexpr int fewest_edges_of_a_bore = 8;
-  constexpr double shortest_onward = 0.5;  // of walls that are steep along most of the loop
-  constexpr double coarse = 0.25;          // density; it matters at noisy loops around many bores alone
-  constexpr int few_edges = 1000;          // of a group: at full density a ring takes less than a second
-  const std::vector<BridgeEnd> ends = ends_of(model, loops);
-  const auto may_end = [&](std::size_t k) {
-    const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
-    return (loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim) && !touches &&
-           (ends[k].onward.norm() > shortest_onward || loops[k].kind == LoopKind::outer_rim ||
-            loops[k].edges() >= fewest_edges_of_a_bore);
-  };
-  std::vector<RingSides> pairs;
-  for (std::size_t i = 0; i < loops.size(); ++i)
-    for (std::size_t j = i + 1; may_end(i) && j < loops.size(); ++j) {
-      const double apart = (loops[i].center - loops[j].center).norm();
-      if (apart >= std::max(loops[i].diameter, loops[j].diameter) || !may_end(j)) continue;
-      std::optional<std::size_t> outline;
-      if (ends[i].onward.norm() > shortest_onward && ends[j].onward.norm() > shortest_onward)
-        outline = outline_of_a_ring({ends[i], ends[j]});
-      if (outline || have_a_wall_between(loops[i], loops[j], ends[i], ends[j]))
-        pairs.push_back({apart + std::abs(loops[i].diameter - loops[j].diameter) / 2, static_cast<int>(i),
-                         static_cast<int>(j), outline});
-    }
-  std::ranges::sort(pairs, {}, [](const RingSides& pair) { return std::tuple(pair.width, pair.i, pair.j); });
-  const auto are_joined = [&](const std::vector<int>& ring) {
-    std::vector<BoundaryLoop> members;
-    int edges = 0;
-    for (const int k : ring) {
-      members.push_back(loops[static_cast<std::size_t>(k)]);
-      edges += members.back().edges();
-    }
-    return ring_between(model, members, coarse, cancel) ||
-           (ring.size() > 2 && edges <= few_edges && ring_between(model, members, 1, cancel));
-  };
-  std::vector<std::vector<int>> rings;
-  std::set<int> seen;
-  for (const std::vector<int>& group : groups_with_bores(ends, pairs)) {
-    if (std::ranges::any_of(group, [&](int k) { return seen.contains(k); }) || !are_joined(group)) continue;
-    seen.insert(group.begin(), group.end());
-    rings.push_back(group);
-  }
-  for (const RingSides& pair : pairs) {
-    const bool first_of_i = seen.insert(pair.i).second, first_of_j = seen.insert(pair.j).second;
-    if (first_of_i && first_of_j && are_joined({pair.i, pair.j})) rings.push_back({pair.i, pair.j});
-  }
-  return rings;
 }
 
 BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,

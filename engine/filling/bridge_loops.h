@@ -42,11 +42,6 @@ BridgeOutcome bridge_loops(const SurfaceModel& model, const std::vector<Boundary
 std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops, double density,
                                    const CancelToken& cancel);
 
-/// Loops that such a ring or wall joins: outlines with several loops within them, all in one plane, then pairs, the narrowest first, each
-/// the nearest wall of the other; indices into `loops`, ascending. No loop is in two of them. Loops that touch others are left out.
-std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                         const CancelToken& cancel);
-
 /// Loops whose neighborhood lies the other way round than those of the first loop, so that no two-sided surface joins
 /// them. @returns indices into `loops`, ascending; empty when all agree.
 std::vector<int> find_opposed_loops(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);

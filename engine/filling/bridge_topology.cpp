@@ -3,6 +3,7 @@
 
 #include "core/rotation.h"
 #include "filling/delaunay.h"
+#include "mesh/loop_facing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +109,17 @@ std::vector<Cap> caps_of(const std::vector<BridgeEnd>& ends, const Vec3& center)
 }
 
 }  // namespace
+
+std::vector<BridgeEnd> ends_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops) {
+  std::vector<BridgeEnd> ends;
+  for (const BoundaryLoop& loop : loops) {
+    const LoopFacing facing = loop_facing(model, loop);
+    BridgeEnd end{{}, facing.axis, facing.onward, facing.conormals};
+    for (int v : loop.vertices) end.points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
+    ends.push_back(std::move(end));
+  }
+  return ends;
+}
 
 int turning_sense(const BridgeEnd& end, const Vec3& center) {
   const double cosine = end.axis.dot(onward_to(end, center));

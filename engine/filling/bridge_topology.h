@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/types.h"
+#include "mesh/boundary_loops.h"
 
 #include <vector>
 
@@ -15,6 +16,9 @@ struct BridgeEnd {
   Vec3 onward;       ///< LoopFacing::onward
   Points conormals;  ///< LoopFacing::conormals
 };
+
+/// As the loops' surfaces lie in the model.
+std::vector<BridgeEnd> ends_of(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops);
 
 /// +1 if the loop runs counter-clockwise seen along the way the surface goes on, as it does where normals point outwards;
 /// −1 if clockwise; 0 if undecided (an island and its hole lie around one centre).

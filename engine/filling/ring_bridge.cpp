@@ -48,14 +48,16 @@ bool lies_within(const PlanePoints& inner, const PlanePoints& outer) {
          });
 }
 
+/// Unit, the way on from the first wall. Walls that meet the plane from its other side count the other way round.
 Vec3 common_axis(const std::vector<BridgeEnd>& ends) {
   Vec3 sum = Vec3::Zero();
-  for (const BridgeEnd& end : ends) sum += end.onward;
+  for (const BridgeEnd& end : ends) sum += end.onward.dot(ends[0].onward) < 0 ? Vec3(-end.onward) : end.onward;
   return sum.normalized();
 }
 
 bool is_steep(const BridgeEnd& end, const Vec3& axis) {
-  const auto is_flat = [&](const Vec3& conormal) { return !(conormal.dot(axis) > steep); };
+  const double side = end.onward.dot(axis) < 0 ? -1 : 1;
+  const auto is_flat = [&](const Vec3& conormal) { return !(side * conormal.dot(axis) > steep); };
   const auto flat = std::count_if(end.conormals.begin(), end.conormals.end(), is_flat);
   return static_cast<double>(flat) <= torn_share * static_cast<double>(end.conormals.size());
 }
@@ -131,9 +133,8 @@ Triangles triangulated_ring(const std::vector<BridgeEnd>& ends) {
 }  // namespace
 
 std::optional<std::size_t> outline_of_a_ring(const std::vector<BridgeEnd>& ends) {
-  for (const BridgeEnd& a : ends)
-    for (const BridgeEnd& b : ends)
-      if (!(a.onward.dot(b.onward) > 0)) return std::nullopt;
+  const auto share_a_side = [&](const BridgeEnd& end) { return end.onward.dot(ends[0].onward) > 0; };
+  if (!std::ranges::all_of(ends, share_a_side) && !lie_in_one_plane(ends)) return std::nullopt;
   const Vec3 axis = common_axis(ends);
   if (!std::ranges::all_of(ends, [&](const BridgeEnd& end) { return is_steep(end, axis); })) return std::nullopt;
   std::vector<PlanePoints> seen;
@@ -152,14 +153,11 @@ std::optional<std::size_t> outline_of_a_ring(const std::vector<BridgeEnd>& ends)
   return outline;
 }
 
-bool lie_in_one_plane(const std::vector<BridgeEnd>& ends, const std::vector<int>& group) {
+bool lie_in_one_plane(const std::vector<BridgeEnd>& ends) {
   // Largest rms distance from the plane, over that along it: noise of 1 % of the size has 0.03, the holes of a skull 0.1.
   constexpr double most_uneven = 0.05;
   Points points;
-  for (const int k : group) {
-    const Points& loop = ends[static_cast<std::size_t>(k)].points;
-    points.insert(points.end(), loop.begin(), loop.end());
-  }
+  for (const BridgeEnd& end : ends) points.insert(points.end(), end.points.begin(), end.points.end());
   const Vec3 center = center_of(points);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& p : points) spread += (p - center) * (p - center).transpose();

@@ -11,14 +11,14 @@
 
 namespace loopmend {
 
-/// Whether all surfaces meet a common plane steeply from the same side, along nine tenths of the loops or more, and one loop is the
-/// outline in it: all others lie within that, none within another.
+/// Whether all surfaces meet a common plane steeply along nine tenths of the loops or more, and one loop is the outline in it: all
+/// others lie within that, none within another. They come from the same side, or lie_in_one_plane(): a boss on a plate, the shoulder of
+/// a shaft.
 /// @param ends  at least two @returns the outline's index; empty where they are no such walls
 std::optional<std::size_t> outline_of_a_ring(const std::vector<BridgeEnd>& ends);
 
 /// Whether these loops lie in one plane but for noise, as those around a missing face do.
-/// @param group  indices into `ends`
-bool lie_in_one_plane(const std::vector<BridgeEnd>& ends, const std::vector<int>& group);
+bool lie_in_one_plane(const std::vector<BridgeEnd>& ends);
 
 /// Whether both surfaces bend towards each other before they end, as the halves of a torus do: a half circle through both loops has
 /// that curvature. Then they run on, and a ring would cut them off.

@@ -99,6 +99,29 @@ bool are_sides_of_a_plate(const BridgeEnd& a, const BridgeEnd& b) {
   return std::abs(a.axis.dot(b.axis)) > alike && runs_beside(a, b) && runs_beside(b, a);
 }
 
+bool are_outlines_of_a_plate(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a,
+                             const BridgeEnd& end_b) {
+  return a.kind == LoopKind::outer_rim && b.kind == LoopKind::outer_rim && are_sides_of_a_plate(end_a, end_b);
+}
+
+namespace {
+
+/// Whether hole loops are the rims of a bore through a plate: they lie on each other, not far apart, and both surfaces look away from
+/// the other.
+bool are_rims_of_a_bore(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a, const BridgeEnd& end_b) {
+  constexpr double longest = 0.5;  // in diameters; longer ones may be two holes
+  const Vec3 way = b.center - a.center;
+  return a.kind == LoopKind::hole && b.kind == LoopKind::hole &&
+         way.norm() < longest * std::min(a.diameter, b.diameter) && end_a.axis.dot(way) < 0 &&
+         end_b.axis.dot(way) > 0 && are_sides_of_a_plate(end_a, end_b);
+}
+
+}  // namespace
+
+bool have_a_wall_between(const BoundaryLoop& a, const BoundaryLoop& b, const BridgeEnd& end_a, const BridgeEnd& end_b) {
+  return are_outlines_of_a_plate(a, b, end_a, end_b) || are_rims_of_a_bore(a, b, end_a, end_b);
+}
+
 SweptBridge bridge_by_wall(const BridgeEnd& a, const BridgeEnd& b, double step) {
   const Triangles strip = bridge_by_strip(a.points, b.points);
   if (strip.empty()) return {};

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/seconds_since.h"
 #include "core/threads.h"
+#include "filling/find_rings.h"
 #include "filling/patch_size.h"
 #include "mesh/pieces.h"
 #include "pipeline/blend.h"
@@ -27,10 +28,11 @@ namespace loopmend {
 
 namespace {
 
-/// What is solved at once: holes of one group, a hole and the islands in it that are joined to it, or a patch that a flow has moved.
+/// What is solved at once: holes of one group, a hole and the islands in it that are joined to it, the loops around a missing face, or a
+/// patch that a flow has moved.
 struct Task {
-  enum class Kind { fill, join, go_on } kind = Kind::fill;
-  std::vector<BoundaryLoop> loops;      ///< of `join` the hole's first
+  enum class Kind { fill, join, face, go_on } kind = Kind::fill;
+  std::vector<BoundaryLoop> loops;      ///< of `join` the hole's first, of `face` the outline
   std::set<int> asked{};                ///< of `join`: numbers of those islands that are to be filled themselves
   const InitialPatch* moved = nullptr;  ///< of `go_on`
 
@@ -43,15 +45,33 @@ struct Task {
 /// A piece smaller than this share of the hole tells nothing of the surface that is missing: the patch covers it.
 constexpr double least_island = 0.05;
 
+/// The loops around each plane face that is missing.
+std::vector<std::vector<BoundaryLoop>> faces_to_close(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
+                                                      FillOptions::Islands islands) {
+  std::vector<std::vector<BoundaryLoop>> faces;
+  if (islands == FillOptions::Islands::cover) return faces;
+  for (const std::vector<int>& face : find_missing_faces(model, loops, {})) {
+    faces.emplace_back();
+    for (const int k : face) faces.back().push_back(loops[static_cast<std::size_t>(k)]);
+  }
+  return faces;
+}
+
 /// Those with the most edges first: they take the longest.
 /// @param no_islands  numbers of loops that no patch can close, or that have one: they are not joined to a hole.
 std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
                             FillOptions::Islands islands, const std::set<int>& no_islands) {
   std::vector<Task> tasks;
   std::set<int> joined;
+  for (std::vector<BoundaryLoop>& face : faces_to_close(model, loops, islands)) {
+    for (const BoundaryLoop& loop : face) joined.insert(loop.number);
+    tasks.push_back({Task::Kind::face, std::move(face)});
+  }
   if (islands == FillOptions::Islands::join && !loops.empty())
     for (std::vector<BoundaryLoop>& place : holes_with_islands(model, loops)) {
-      std::erase_if(place, [&](const BoundaryLoop& loop) { return no_islands.contains(loop.number); });
+      std::erase_if(place, [&](const BoundaryLoop& loop) {
+        return no_islands.contains(loop.number) || joined.contains(loop.number);
+      });
       if (place.size() < 2) continue;
       Task& task = tasks.emplace_back();
       task.kind = Task::Kind::join;
@@ -174,7 +194,7 @@ GroupResult gone_on(const Fill& fill, const InitialPatch& moved) {
   });
 }
 
-/// One patch between a hole and the islands in it. @param why  is set where there is none; its reason may be empty.
+/// One patch between these loops. @param why  is set where there is none; its reason may be empty.
 std::optional<PatchResult> bridged(const Fill& fill, const std::vector<BoundaryLoop>& place, Message& why) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return seconds_since(start); };
@@ -203,11 +223,13 @@ std::optional<PatchResult> bridged(const Fill& fill, const std::vector<BoundaryL
   }
 }
 
-/// The hole's islands joined to it, or where that fails covered by its patch.
+/// The hole's islands joined to it, or where that fails covered by its patch; a missing face, or a patch for each of its loops.
 GroupResult joined(const Fill& fill, const Task& task) {
   const std::vector<BoundaryLoop>& place = task.loops;
+  const bool is_face = task.kind == Task::Kind::face;
   Message why;
   std::optional<PatchResult> made = bridged(fill, place, why);
+  if (!made && is_face) return each_alone(fill, place);
   if (!made) {
     SolveObserver quiet = fill.observer;  // more is to be said of the hole before it is done
     quiet.on_done = nullptr;
@@ -225,7 +247,7 @@ GroupResult joined(const Fill& fill, const Task& task) {
       flow && continues_edges(*flow) && !edits_at(fill.scan.model, place, flow->edge_edits).drawn.empty())
     made->reason =
         joined(std::move(made->reason), "; ", say("no sharp edge is drawn across a hole to which an island is joined"));
-  judge_islands(made->patch, made->verdicts);
+  if (!is_face) judge_islands(made->patch, made->verdicts);
   GroupResult result;
   const auto patch = std::make_shared<const PatchResult>(std::move(*made));
   result.patches.push_back(patch);
@@ -236,6 +258,9 @@ GroupResult joined(const Fill& fill, const Task& task) {
     hole.seconds = patch->seconds.total;
     if (k == 0)
       hole.free_vertices = patch->patch.free_count;
+    else if (is_face)
+      hole.message =
+          say("a wall ends here, too: joined to hole %1 by a plane face", place[0].number).with_code("joined_wall");
     else
       hole.message = say("an island: joined to hole %1", place[0].number).with_code("joined_island");
   }
@@ -312,14 +337,16 @@ int large_first(const SurfaceModel& model, const FillOptions& options, std::vect
 /// island is to be joined.
 std::vector<std::optional<GroupResult>> tiny_holes_closed(const Fill& fill, const std::vector<BoundaryLoop>& loops) {
   std::vector<std::optional<GroupResult>> closed(loops.size());
-  std::set<int> around_islands;
+  std::set<int> to_join;
   if (fill.options.islands == FillOptions::Islands::join)
     for (const std::vector<BoundaryLoop>& place : holes_with_islands(fill.scan.model, loops))
-      around_islands.insert(place.front().number);
+      to_join.insert(place.front().number);
+  for (const std::vector<BoundaryLoop>& face : faces_to_close(fill.scan.model, loops, fill.options.islands))
+    for (const BoundaryLoop& loop : face) to_join.insert(loop.number);
   // Two rings are enough to paste a patch; whoever watches may go on from it with a flow.
   const int rings = fill.observer.on_done ? patch_rings : 2;
   parallel_for(0, static_cast<int>(loops.size()), 64, [&](int k) {
-    if (fill.cancel.cancelled() || around_islands.contains(loops[k].number)) return;
+    if (fill.cancel.cancelled() || to_join.contains(loops[k].number)) return;
     try {
       if (auto own = close_tiny_hole(fill.scan, loops[k], fill.options, rings)) closed[k] = fill.done(std::move(*own));
     } catch (const std::exception&) {  // what goes wrong there is said when it is tried with all means
@@ -383,9 +410,9 @@ std::vector<GroupResult> solved_groups(const Fill& fill, const HolesToSolve& hol
   const auto work_on = [&](int k) {
     if (fill.cancel.cancelled()) return;
     const Task& task = tasks[k];
-    results[k] = task.kind == Task::Kind::join    ? joined(fill, task)
+    results[k] = task.kind == Task::Kind::fill    ? filled(fill, task.loops)
                  : task.kind == Task::Kind::go_on ? gone_on(fill, *task.moved)
-                                                  : filled(fill, task.loops);
+                                                  : joined(fill, task);
     const std::lock_guard lock(progress_mutex);
     if (fill.cancel.cancelled()) return;
     finished[k] = 1;

@@ -53,6 +53,28 @@ void add_to_look(std::vector<HoleResult>& results, std::size_t hole, Notice find
     if (result.patch == judged) result.patch = patch;
 }
 
+void name_rim_groups(const std::vector<RimGroup>& groups, const std::vector<LoopChoice>& choices,
+                     std::vector<HoleResult>& results) {
+  const auto patch_of = [&](int k) { return results[static_cast<std::size_t>(k)].patch; };
+  std::vector<RimGroup> apart = groups;
+  std::erase_if(apart, [&](const RimGroup& group) {
+    const auto first = patch_of(group.loops[0]);
+    return first && std::ranges::all_of(group.loops, [&](int k) { return patch_of(k) == first; });
+  });
+  const auto is_gap = [](const RimGroup& group) { return group.kind == RimGroup::Kind::gap; };
+  const bool several = static_cast<std::ptrdiff_t>(apart.size()) - std::ranges::count_if(apart, is_gap) > 1;
+  for (const RimGroup& group : apart)
+    for (const int own : group.loops) {
+      const auto k = static_cast<std::size_t>(own);
+      if (choices[k].left == LoopChoice::Left::wide_crack) continue;
+      Message& message = results[k].message;
+      message = joined(std::move(message), "; ", advice(group, own));
+      if (several && !is_gap(group))
+        message = joined(std::move(message), "; ", say("for several patches, repeat --loops in one command"));
+      if (group.kind == RimGroup::Kind::ring) add_to_look(results, k, {NoticeCode::wall_ends, {}});
+    }
+}
+
 void judge_outlines(std::vector<HoleResult>& results) {
   for (std::size_t k = 0; k < results.size(); ++k) {
     const BoundaryLoop& loop = results[k].loop;

@@ -3,6 +3,7 @@
 
 #include "core/quantile.h"
 #include "filling/bridge_loops.h"
+#include "filling/find_rings.h"
 #include "mesh/loop_facing.h"
 #include "repair/stitch_boundaries.h"
 

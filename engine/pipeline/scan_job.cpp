@@ -373,23 +373,6 @@ void try_advice(ScanPlan& plan, const FillOptions& options, const CancelToken& c
   }
 }
 
-/// A patch over each loop alone leaves a wall hollow, or goes through it.
-void name_rim_groups(const ScanPlan& plan, std::vector<HoleResult>& results) {
-  const bool several = std::ranges::count_if(plan.rim_groups, [](const RimGroup& group) {
-                         return group.kind != RimGroup::Kind::gap;
-                       }) > 1;
-  for (const RimGroup& group : plan.rim_groups)
-    for (const int own : group.loops) {
-      const auto k = static_cast<std::size_t>(own);
-      if (plan.choices[k].left == LoopChoice::Left::wide_crack) continue;
-      Message& message = results[k].message;
-      message = joined(std::move(message), "; ", advice(group, own));
-      if (several && group.kind != RimGroup::Kind::gap)
-        message = joined(std::move(message), "; ", say("for several patches, repeat --loops in one command"));
-      if (group.kind == RimGroup::Kind::ring) add_to_look(results, k, {NoticeCode::wall_ends, {}});
-    }
-}
-
 }  // namespace
 
 std::vector<BoundaryLoop> ScanPlan::chosen() const {
@@ -491,7 +474,7 @@ std::vector<HoleResult> fill_chosen(ScanPlan& plan, const ScanJob& job, const De
       results[k].message = say("not finished in the time that --max-time allows: left open").with_code("out_of_time");
   }
   if (!cancel.cancelled()) try_advice(plan, options, cancel, results);
-  name_rim_groups(plan, results);
+  name_rim_groups(plan.rim_groups, plan.choices, results);
   judge_outlines(results);
   return results;
 }

@@ -3,6 +3,7 @@
 
 #include "core/random.h"
 #include "filling/bridge_loops.h"
+#include "filling/find_rings.h"
 #include "pipeline/blend.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"

@@ -3,6 +3,7 @@
 #include "filling/wall_bridge.h"
 
 #include "filling/bridge_loops.h"
+#include "filling/find_rings.h"
 #include "pipeline/blend.h"
 #include "repair/watertight.h"
 #include "samples/analytic_surfaces.h"
