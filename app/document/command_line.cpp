@@ -3,6 +3,7 @@
 
 #include "document/labels.h"
 #include "document/shell_words.h"
+#include "filling/find_rings.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/fill_holes.h"
 
@@ -71,8 +72,8 @@ class ScanCommands {
     std::vector<BoundaryLoop> own_loops;
     for (int loop : patch.loops) own_loops.push_back(document_.loop(loop));
     QString options = options_of(recipe, scan_, own_loops);
-    // The command joins islands where it is not asked for something else.
-    if (recipe.start == PatchRecipe::Start::holes && !holes_with_islands(*scan_.model, own_loops).empty())
+    // The command joins islands and walls where it is not asked for something else.
+    if (recipe.start == PatchRecipe::Start::holes && may_be_joined(own_loops))
       options += QStringLiteral(" --islands cover");
     auto& loops =
         by_options_[options][takes_shapes(recipe) ? recipe.runs.back().continuity : SeamContinuity::curvature];
@@ -118,6 +119,19 @@ class ScanCommands {
   }
 
  private:
+  bool may_be_joined(const std::vector<BoundaryLoop>& own) const {
+    if (!holes_with_islands(*scan_.model, own).empty()) return true;
+    std::vector<BoundaryLoop> all;
+    for (int k = 0; k < document_.loop_count(); ++k)
+      if (document_.scan_of(k) == index_) all.push_back(document_.loop(k));
+    std::set<int> numbers;
+    for (const BoundaryLoop& loop : own) numbers.insert(loop.number);
+    return std::ranges::any_of(find_missing_faces(*scan_.model, all, {}), [&](const std::vector<int>& face) {
+      return std::ranges::any_of(face,
+                                 [&](int k) { return numbers.contains(all[static_cast<std::size_t>(k)].number); });
+    });
+  }
+
   using Shapes = std::map<int, SeamContinuity>;  ///< by loop
   struct Step {
     QString options;

@@ -73,7 +73,8 @@ void FillBox::build() {
                                     tr("Show the patch with its edges before it is made; for up to 200 holes at once"));
   islands_ = make_option<QCheckBox>(
       "islands", tr("Join islands"),
-      tr("Join islands, components that lie within a hole, to its patch; otherwise the patch covers them"));
+      tr("Join islands, components that lie within a hole, to its patch, and walls that end in one plane by one face; "
+         "otherwise each hole gets a patch of its own"));
   islands_->setChecked(true);
   prepare_ = make_button("prepare", tr("Prepare"),
                          tr("Stitch, repair and trim where the scan needs that to be filled, and change nothing else; "

@@ -73,6 +73,13 @@ bool is_sound_ring(const Patch& ring) {
          self_intersections(ring.positions, ring.triangles, ring.patch_triangles).empty();
 }
 
+/// Whether its triangles survive rounding to floats as those of `first` do: remeshing puts vertices onto long straight edges of the outline.
+bool has_no_new_needle(const Patch& ring, const Patch& first) {
+  constexpr double thinnest = 0.01;  // degrees
+  const double angle = min_angle_deg(ring.positions, ring.triangles, ring.patch_triangles);
+  return angle >= std::min(thinnest, min_angle_deg(first.positions, first.triangles, first.patch_triangles));
+}
+
 /// At corners of its outline a wall has edges, which are no folds.
 bool is_sound_wall(const Patch& wall) {
   constexpr double sharpest = -0.866;  // cosine of 150 degrees
@@ -328,7 +335,7 @@ std::optional<Bridge> ring_between(const SurfaceModel& model, const std::vector<
         remesh_once(mesh);
         next = with_interior(ring, mesh);
       }
-      if (is_sound_ring(next)) ring = std::move(next);
+      if (is_sound_ring(next) && has_no_new_needle(next, ring)) ring = std::move(next);
     }
     if (is_sound_ring(ring)) return Bridge{ring, ring, patch_validity(ring), Bridge::Kind::ring};
   }

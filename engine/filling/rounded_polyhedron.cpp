@@ -2,6 +2,7 @@
 #include "filling/rounded_polyhedron.h"
 
 #include "filling/fairing.h"
+#include "filling/sphere_cap.h"
 #include "mesh/quality.h"
 #include "remeshing/patch_remesh.h"
 
@@ -18,18 +19,16 @@ constexpr int rounds = 6;         ///< that spread the vertices on the sphere
 constexpr double deepest = 0.99;  ///< distance of the middle from the sphere's centre, in radii
 constexpr double roundest = 1e3;  ///< radius of the sphere, in those of the patch's frame: beyond, it is a plane
 
-struct Sphere {
-  Vec3 center;
-  double radius;
+Vec3 nearest_on(const Sphere& sphere, const Vec3& p) {
+  return sphere.center + sphere.radius * (p - sphere.center).normalized();
+}
 
-  Vec3 nearest(const Vec3& p) const { return center + radius * (p - center).normalized(); }
-  /// Where the ray from a point within through another one leaves.
-  Vec3 beyond(const Vec3& from, const Vec3& through) const {
-    const Vec3 way = (through - from).normalized(), d = from - center;
-    const double along = way.dot(d);
-    return from + (std::sqrt(along * along - d.squaredNorm() + radius * radius) - along) * way;
-  }
-};
+/// Where the ray from a point within through another one leaves.
+Vec3 leaves_at(const Sphere& sphere, const Vec3& from, const Vec3& through) {
+  const Vec3 along = (through - from).normalized(), d = from - sphere.center;
+  const double t = along.dot(d);
+  return from + (std::sqrt(t * t - d.squaredNorm() + sphere.radius * sphere.radius) - t) * along;
+}
 
 /// Least squares of ‖p‖² = 2⟨c, p⟩ + (R² − ‖c‖²).
 Sphere fitted_sphere(const Points& points, int begin) {
@@ -67,7 +66,7 @@ Patch spread(const Sphere& sphere, const Patch& patch) {
     mesh.flip_to_delaunay();
     mesh.smooth_tangentially();
     even = with_interior(even, mesh);
-    for (int i = 0; i < even.free_count; ++i) even.positions[i] = sphere.nearest(even.positions[i]);
+    for (int i = 0; i < even.free_count; ++i) even.positions[i] = nearest_on(sphere, even.positions[i]);
   }
   const auto folds = [](const Patch& p) { return count_folds(p.positions, p.triangles, p.patch_triangles); };
   return folds(even) > folds(patch) ? patch : even;
@@ -80,7 +79,7 @@ std::optional<Patch> rounded_polyhedron(const PolyhedronPatch& polyhedron) {
   const Sphere sphere = fitted_sphere(patch.positions, patch.free_count);
   const Vec3 middle = center_of_area(patch);
   if (!(sphere.radius < roundest) || !((middle - sphere.center).norm() < deepest * sphere.radius)) return std::nullopt;
-  for (Vec3& p : patch.positions) p = sphere.beyond(middle, p);
+  for (Vec3& p : patch.positions) p = leaves_at(sphere, middle, p);
   patch = spread(sphere, patch);
   std::vector<char> fixed(patch.positions.size(), 0);
   Points way(patch.positions.size(), Vec3::Zero());

@@ -19,7 +19,8 @@ namespace loopmend {
 
 struct FillOptions : GroupOptions {
   int threads = 0;  ///< groups worked on at once; 0: as many as there are cores. The result does not depend on it.
-  /// Pieces of surface within a hole that is filled: joined to its patch, or where that fails covered by it.
+  /// Pieces of surface within a hole that is filled: joined to its patch, or where that fails covered by it. Walls that end in one
+  /// plane (find_missing_faces) and are all to be filled: joined by one face, or a patch for each.
   enum class Islands { cover, join } islands = Islands::join;
   /// Whether the planes of symmetry of the whole surface are looked for, for GroupOptions::mirror_planes.
   enum class Mirror { as_given, find } mirror = Mirror::as_given;

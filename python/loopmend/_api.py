@@ -147,7 +147,8 @@ def fill(
         max_diameter: leaves wider loops; a length greater than 0.
         all_but_largest: leaves so many of the largest loops, those of outer rims among them.
         include_outer_rim: fills the outer rims of open sheets as well.
-        islands: "join" joins the islands within a hole, parts of the surface, to its patch, "cover" covers them with it.
+        islands: "join" joins the islands within a hole, parts of the surface, to its patch, and walls that end in one plane
+            by one face; "cover" gives each hole a patch of its own.
         mirror: closes holes by a copy of the other side, mirrored, where the surface around them fits its image; the planes of
             symmetry are looked for.
         mirror_plane: the same with this plane: x, y, z of a point in it and of its normal.

@@ -101,7 +101,7 @@ TEST_F(CliBlend, TheEndFacesOfABlockWithBoresAsFillNamesThem) {
     return soup;
   };
   write("block.ply", joined({tube(2, 0, false), tube(0.5, 1, true), tube(0.4, -1, true)}));
-  const std::string said = loopmend_program("fill " + path("block.ply") + "-o " + path("lids.ply")).out;
+  const std::string said = loopmend_program("fill " + path("block.ply") + "-o " + path("lids.ply") + "--islands cover").out;
   const std::regex command("'loopmend blend (--loops (1:\\d+,1:\\d+),1:\\d+)'");
   std::set<std::string> faces, pairs;
   for (std::sregex_iterator found(said.begin(), said.end(), command), end; found != end; ++found) {

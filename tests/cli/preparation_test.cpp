@@ -329,18 +329,31 @@ TEST_F(PreparationCommands, ExpectedDeviationOfEachNewVertexIsAPropertyOfPly) {
               HasSubstr("Only PLY and polydata have room"));
 }
 
+constexpr int sides = 48;
+const double pipe_volume = 4 * (sides * std::sin(2 * std::acos(-1.0) / sides) / 2) * (1 - 0.64);
+
 /// A tube of two walls, open at both ends.
 TriangleSoup pipe() {
-  TriangleSoup outer = make_cylinder(4, 48), inner = make_cylinder(4, 48);
+  TriangleSoup outer = make_cylinder(4, sides), inner = make_cylinder(4, sides);
   for (Vec3& p : inner.points) p.head<2>() *= 0.8;
   for (Triangle& t : inner.triangles) std::swap(t[1], t[2]);
   return joined({outer, inner});
 }
 
+TEST_F(PreparationCommands, ThePlaneEndsOfAPipeAreClosed) {
+  write("a.ply", pipe());
+  const std::string out = fill("a.ply").out;
+  EXPECT_THAT(out, HasSubstr("a wall ends here, too: joined to hole"));
+  EXPECT_THAT(out, Not(HasSubstr("blend")));
+  EXPECT_EQ(written().open_edges, 0U);
+  EXPECT_EQ(written().intersections, 0U);
+  EXPECT_NEAR(written().volume, pipe_volume, 1e-6);
+}
+
 /// What is proposed closes the pipe.
 TEST_F(PreparationCommands, RingsOfAWallAreNamedAndBlendClosesThem) {
   write("a.ply", pipe());
-  const std::string out = fill("a.ply").out;
+  const std::string out = fill("a.ply", "--islands cover").out;
   std::vector<std::string> proposed;
   for (std::size_t at = 0; (at = out.find("blend --loops ", at)) != std::string::npos; ++at) {
     const std::string loops = out.substr(at + 14, out.find('\'', at) - at - 14);
@@ -348,13 +361,12 @@ TEST_F(PreparationCommands, RingsOfAWallAreNamedAndBlendClosesThem) {
   }
   ASSERT_EQ(proposed.size(), 2U) << out;
   ASSERT_EQ(loopmend_program("blend " + path("a.ply") + "-o " + path("b.ply") + "--loops " + proposed.front()).code, 0);
-  const std::string second = fill("b.ply").out;  // the other end, whose loops are 1 and 2 now
+  const std::string second = fill("b.ply", "--islands cover").out;  // the other end, whose loops are 1 and 2 now
   EXPECT_THAT(second, HasSubstr("blend --loops 1:1,1:2"));
   ASSERT_EQ(loopmend_program("blend " + path("b.ply") + "-o " + path("out.ply") + "--loops 1:1,1:2").code, 0);
   EXPECT_EQ(written().open_edges, 0U);
   EXPECT_EQ(written().intersections, 0U);
-  const double polygon = 48 * std::sin(2 * std::acos(-1.0) / 48) / 2;
-  EXPECT_NEAR(written().volume, 4 * polygon * (1 - 0.64), 1e-6);
+  EXPECT_NEAR(written().volume, pipe_volume, 1e-6);
 }
 
 /// Two plane sheets beside each other: two strips make a hole of the gap, and it is filled flat.

@@ -5,6 +5,7 @@
 #include "filling/bridge_loops.h"
 #include "filling/find_rings.h"
 #include "pipeline/blend.h"
+#include "pipeline/fill_holes.h"
 #include "samples/analytic_surfaces.h"
 #include "samples/paper_inputs.h"
 
@@ -15,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <tuple>
 
 namespace loopmend {
 namespace {
@@ -235,6 +238,68 @@ TEST(RingBridge, ABlockWithBoresGetsAFaceWithHoles) {
         EXPECT_EQ(find_boundary_loops(one.model).size(), static_cast<std::size_t>(bores) + 1);
       }
     }
+}
+
+/// A wall below the outer curve, one above each inner curve, which stands on the face between them.
+TriangleSoup stepped(const Points& outer, const std::vector<Points>& inner, Side side) {
+  std::vector<TriangleSoup> walls{wall(outer, Side::outer)};
+  for (const Points& rim : inner) {
+    walls.push_back(wall(rim, side == Side::outer ? Side::inner : Side::outer));
+    for (Vec3& p : walls.back().points) p.z() = -p.z();  // turns it over, too
+  }
+  return joined(walls);
+}
+
+std::vector<HoleResult> filled_middle(SurfaceModel& model, const FillOptions& options = {}) {
+  std::vector<BoundaryLoop> middle = find_boundary_loops(model);
+  std::erase_if(middle, [](const BoundaryLoop& loop) { return std::abs(loop.center.z()) > 0.5; });
+  return fill_holes(model, middle, options, {}, {});
+}
+
+TEST(RingBridge, TheFaceBelowBossesAndTheShoulderOfAShaftAreFilled) {
+  Points left = circle(30, 0.5), right = circle(24, 0.4);
+  for (Vec3& p : left) p.x() -= 1;
+  for (Vec3& p : right) p += Vec3(1, 0.2, 0);
+  const double plate = area_in(square(12, 2));
+  const std::tuple<Points, std::vector<Points>, double> cases[] = {
+      {circle(48, 1), {circle(40, 0.6)}, area_in(circle(48, 1)) - area_in(circle(40, 0.6))},
+      {square(12, 2), {left}, plate - area_in(left)},
+      {square(12, 2), {left, right}, plate - area_in(left) - area_in(right)},
+      {square(1, 2), {left, right}, plate - area_in(left) - area_in(right)}};
+  for (const auto& [outer, inner, area] : cases) {
+    const TriangleSoup soup = stepped(outer, inner, Side::outer);
+    Joined part{make_surface_model(soup), {}, soup.points.size(), soup.triangles.size()};
+    const std::vector<HoleResult> holes = filled_middle(part.model);
+    ASSERT_EQ(holes.size(), inner.size() + 1);
+    for (const HoleResult& hole : holes) {
+      ASSERT_EQ(hole.status, PatchStatus::filled) << hole.message;
+      EXPECT_EQ(hole.patch, holes.front().patch);
+      EXPECT_EQ(hole.verdict().grade, Grade::good);
+    }
+    EXPECT_NEAR(part.new_area(), area, 1e-9);
+    for (std::size_t v = part.given_points; v < part.model.soup.points.size(); ++v)
+      EXPECT_NEAR(part.model.soup.points[v].z(), 0, 1e-9);
+    EXPECT_EQ(find_boundary_loops(part.model).size(), inner.size() + 1);
+  }
+}
+
+/// What is a boss seen from outside would be a cup without a bottom seen from inside.
+TEST(RingBridge, WallsThatFaceTheOtherWayAndSingleLoopsAreNotJoined) {
+  const auto count_of_patches = [](const std::vector<HoleResult>& holes) {
+    std::set<const PatchResult*> patches;
+    for (const HoleResult& hole : holes)
+      if (hole.patch) patches.insert(hole.patch.get());
+    return patches.size();
+  };
+  SurfaceModel inside_out = make_surface_model(stepped(circle(48, 1), {circle(40, 0.6)}, Side::inner));
+  EXPECT_EQ(count_of_patches(filled_middle(inside_out)), 2U);
+  FillOptions apart;
+  apart.islands = FillOptions::Islands::cover;
+  SurfaceModel pipe =
+      make_surface_model(joined({wall(circle(48, 1), Side::outer), wall(circle(40, 0.8), Side::inner)}));
+  SurfaceModel same = pipe;
+  EXPECT_EQ(count_of_patches(filled_middle(same)), 1U);
+  EXPECT_EQ(count_of_patches(filled_middle(pipe, apart)), 2U);
 }
 
 /// Loops of sheets with holes, as of a skull, are no rims of one missing face.

@@ -201,8 +201,10 @@ TEST(ScanJob, LidsWhereWallsEndAreToBeLookedAt) {
   };
   const TriangleSoup block =
       joined({tube(2, {0, 0, 0}, false), tube(0.5, {1, 0, 0}, true), tube(0.4, {-1, 0, 0}, true)});
-  ScanPlan plan = planned(block);
-  const std::vector<HoleResult> results = filled(plan);
+  ScanJob job;
+  job.fill.islands = FillOptions::Islands::cover;
+  ScanPlan plan = planned(block, job);
+  const std::vector<HoleResult> results = filled(plan, job);
   ASSERT_EQ(results.size(), 6U);
   for (const HoleResult& result : results) {
     const Verdict verdict = result.verdict();
