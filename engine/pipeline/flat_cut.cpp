@@ -27,6 +27,7 @@ constexpr double upright = 0.9;
 /// Teeth of a loop at which an upright wall ends: heights in boundary edges, edges from one turn to the next.
 constexpr double lowest_tooth = 0.75, highest_tooth = 4, least_rise = 0.1, tooth_in_noises = 3;
 constexpr std::size_t fewest_round_teeth = 24, fewest_teeth = 8, most_edges_of_a_tooth = 6;
+constexpr double away_from_corners = 0.25;  ///< quantile: of the fits to a coarse box more than half hold an edge of it
 constexpr std::size_t edges_beside = 4;  ///< over which the direction of the wall is taken where there are teeth
 /// The same for the faces at all but the torn share of the loop. Of 161 holes of planarity 0.003 to 0.1 cut into natural models the
 /// most upright has 0.76; tubes, bottles and stars with noise have 0.86 to 0.97.
@@ -223,7 +224,7 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   const bool toothed =
       unless_on_quadric(end_of(level, smoothed, above, wall), smoothed, above, wall) == LoopEnd::flat &&
       quantile(wall.steepness, torn_share) >= upright_all_along &&
-      (wall.noise.empty() || teeth >= tooth_in_noises * median(wall.noise));
+      (wall.noise.empty() || teeth >= tooth_in_noises * quantile(wall.noise, away_from_corners));
   return toothed ? LoopEnd::toothed : end;
 }
 

@@ -366,6 +366,31 @@ TEST(FlatCut, ATornTubeStandsOnAPlaneBase) {
       }
 }
 
+/// Fits to the wall of a coarse box mostly hold one of its edges, which is no noise.
+TEST(FlatCut, ATornBoxOfFewCellsStandsOnAPlaneBase) {
+  for (const int cells : {8, 9, 10, 12})
+    for (const double noise : {0.0, 0.03, 0.06}) {
+      TriangleSoup box = make_revolution([](double) { return 1.0; }, 0, 1, 4 * cells, cells);
+      Random random(static_cast<std::uint64_t>(cells + 100 * noise));
+      for (Vec3& p : box.points) {
+        const double turn = std::round((std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5) * 4 * cells);
+        const int k = static_cast<int>(turn) % (4 * cells), side = k / cells;
+        const double along = static_cast<double>(k % cells) / cells;
+        const Eigen::Vector2d corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        p.head<2>() = (1 - along) * corners[side] + along * corners[(side + 1) % 4];
+        for (double& x : p) x += noise / cells * random.bell();
+      }
+      std::erase_if(box.triangles, [&](const Triangle& t) {
+        const double z = (box.points[t[0]] + box.points[t[1]] + box.points[t[2]]).z() / 3;
+        return z < 1.0 / cells && random.uniform() < 0.5;
+      });
+      const SurfaceModel model = make_surface_model(box);
+      const std::vector<BoundaryLoop> loops = find_boundary_loops(model);
+      const BoundaryLoop torn = *std::ranges::max_element(loops, {}, [](const BoundaryLoop& l) { return l.edges(); });
+      EXPECT_EQ(loop_end(model, torn), LoopEnd::toothed) << cells << ' ' << noise;
+    }
+}
+
 /// A wave of the same height that takes many edges is no tooth.
 TEST(FlatCut, WavesAreNoTeeth) {
   for (const int waves : {3, 5}) {
