@@ -9,8 +9,8 @@
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/multi_start.h"
+#include "pipeline/plane_face.h"
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <chrono>
@@ -36,7 +36,7 @@ struct Situation {
   std::optional<SharpPatch> sharp;     ///< where sharp edges run on into the hole
   std::optional<Sphere> sphere;        ///< on which all vertices around lie; patch frame
   bool has_clear_edges = false;        ///< whether sharp edges end at the hole beyond doubt
-  bool is_in_plane_face = false;       ///< the hole's faces lie in one plane, and the surface bends farther out
+  bool is_in_plane_face = false;       ///< bounds_plane_face()
 
   const Patch& initial() const { return context.problem.initial; }
   bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
@@ -60,35 +60,6 @@ std::optional<Patch> triangulation_of(const PatchProblem& problem, const CancelT
       make_initial_patch(problem.scan.model, closed, {initial.grading.density, InitialShape::triangulated}, cancel)
           .patch;
   return patch && patch->loop_numbers == initial.loop_numbers && patch->free_count > 0 ? patch : std::nullopt;
-}
-
-/// A plane loop, of whose faces at least half lie in that plane, where the surface bends farther out: fits over several rings see a
-/// fillet there, which the flow would continue.
-bool lies_in_plane_face(const Patch& patch) {
-  constexpr double off_plane = 1e-5;  // in diameters; more than single precision leaves, less than any scanned face
-  std::vector<Vec3> points;
-  for (const std::vector<int>& loop : patch.loops)
-    for (int v : loop) points.push_back(patch.positions[v]);
-  if (points.empty()) return false;
-  Vec3 center = Vec3::Zero();
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& p : points) center += p / static_cast<double>(points.size());
-  for (const Vec3& p : points) spread += (p - center) * (p - center).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  const Vec3 normal = axes.eigenvectors().col(0), along = axes.eigenvectors().col(2);
-  const auto [low, high] = std::ranges::minmax(points, {}, [&](const Vec3& p) { return along.dot(p); });
-  const double most = off_plane * along.dot(high - low);
-  const auto is_off = [&](const Vec3& p) { return std::abs(normal.dot(p - center)) > most; };
-  if (std::ranges::any_of(points, is_off)) return false;
-  int in_plane = 0, beside = 0;
-  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
-    const Triangle& t = patch.triangles[f];
-    if (std::ranges::count_if(t, [&](int v) { return patch.ring[v] == 1; }) < 2) continue;
-    ++beside;
-    in_plane += std::ranges::none_of(t, [&](int v) { return is_off(patch.positions[v]); });
-  }
-  return 2 * in_plane >= beside &&
-         std::any_of(patch.positions.begin() + patch.free_count, patch.positions.end(), is_off);
 }
 
 std::vector<LoopEnd> ends_of(const PatchProblem& problem) {
@@ -143,6 +114,16 @@ bool position(const Situation& s, PatchResult& result) {
   EvolutionOptions options = s.options;
   options.continuity = SeamContinuity::position;
   return run_once(s.context, s.initial(), options, result);
+}
+
+/// Where the walls of the part leave the plane, the seam bends as it has to.
+bool plane_face(const Situation& s, PatchResult& result) {
+  if (!position(s, result)) return false;
+  std::vector<std::vector<char>> everywhere;
+  for (const std::vector<int>& loop : result.patch.loops) everywhere.emplace_back(loop.size(), 1);
+  const Judge judge = s.context.judge.expecting_creases(std::move(everywhere), 180);
+  result.verdicts = judge(result.patch, result.validity, result.seams);
+  return true;
 }
 
 /// As flat as a minimal surface, nearly, and less bold where the loop winds.
@@ -244,7 +225,7 @@ const Candidate candidates[] = {
     {text_to_say("minimal surface over a cut"), is_cut, position},
     {text_to_say("initial patch over a cut"), is_cut, initial_patch},
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},
-    {text_to_say("plane face"), is_in_plane_face, position},
+    {text_to_say("plane face"), is_in_plane_face, plane_face},
     {text_to_say("flow"), is_exact, flow},
     {text_to_say("split flow"), is_rough, split, true},
     {text_to_say("sphere"), is_on_sphere, cap_of_sphere},
@@ -283,7 +264,7 @@ Message reason_of_cut(const Situation& s) {
 }
 
 Message reason_of_plane() {
-  return joined(say("the loop and the faces beside it lie in one plane, which was continued"), "; ",
+  return joined(say("the loop bounds a plane face, which was closed flat"), "; ",
                 say("--boundary exact runs the flow itself"))
       .with_code("plane_face");
 }
@@ -416,9 +397,9 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       std::nullopt,
                       sphere,
                       false,
-                      is_judged(options) && edits.empty() && lies_in_plane_face(problem.initial)};
+                      is_judged(options) && edits.empty() && bounds_plane_face(problem.initial)};
   if (is_judged(options)) {
-    if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut()) {
+    if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut() && !situation.is_in_plane_face) {
       ContinuedEdges continued = continue_sharp_edges(problem.initial, edits, cancel);
       situation.sharp = std::move(continued.patch);
       if (situation.sharp) situation.sphere.reset();

@@ -24,11 +24,13 @@ constexpr double still_steep = 0.35;  ///< the same, for all but the share of th
 /// (0.91 to 1, but for 0.61 at 0.0032) and holes on top of a bump (0.42 to 0.68).
 constexpr double plane_cut = 0.005, steep_if_not_plane = 0.75;
 constexpr double upright = 0.9;
+/// A prism, as of a machined part, ends there however it turns; the faces next to the equator of a ball lean by half of their angle.
+constexpr double exact_plane = 1e-5, exactly_upright = 1 - 1e-8;
 /// Teeth of a loop at which an upright wall ends: heights in boundary edges, edges from one turn to the next.
 constexpr double lowest_tooth = 0.75, highest_tooth = 4, least_rise = 0.1, tooth_in_noises = 3;
 constexpr std::size_t fewest_round_teeth = 24, fewest_teeth = 8, most_edges_of_a_tooth = 6;
 constexpr double away_from_corners = 0.25;  ///< quantile: of the fits to a coarse box more than half hold an edge of it
-constexpr std::size_t edges_beside = 4;  ///< over which the direction of the wall is taken where there are teeth
+constexpr std::size_t edges_beside = 4;     ///< over which the direction of the wall is taken where there are teeth
 /// The same for the faces at all but the torn share of the loop. Of 161 holes of planarity 0.003 to 0.1 cut into natural models the
 /// most upright has 0.76; tubes, bottles and stars with noise have 0.86 to 0.97.
 constexpr double upright_all_along = 0.85;
@@ -212,6 +214,7 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   if (facing.axis.isZero()) return LoopEnd::runs_on;
   const Profiles profiles(model, loop, facing);
   const Wall as_it_is = read_wall(profiles, loop);
+  if (loop.planarity <= exact_plane && quantile(as_it_is.of_faces, 0) >= exactly_upright) return LoopEnd::flat;
   const LoopEnd end = unless_on_quadric(end_of(loop, facing, profiles, as_it_is), facing, profiles, as_it_is);
   if (end != LoopEnd::flat && end != LoopEnd::runs_on) return end;
   const double teeth = height_of_teeth(profiles.heights(), profiles.mean_edge());

@@ -255,50 +255,5 @@ TEST(RoughBoundary, APatchWithARemarkGivesWayToAGoodFairing) {
   EXPECT_LT(result.verdicts.front().height, 0.2);
 }
 
-/// A cube with edges rounded to a radius of 0.15, without the middle of its upper side, up to `margin` before the rounding.
-SurfaceModel rounded_cube(double margin) {
-  constexpr double radius = 0.15;
-  TriangleSoup soup = test::make_cube(24);
-  for (Vec3& p : soup.points) {
-    const Vec3 kernel = p.cwiseMax(radius).cwiseMin(1 - radius);
-    if (p != kernel) p = kernel + radius * (p - kernel).normalized();
-  }
-  const Vec3 top(0.5, 0.5, 1);
-  std::erase_if(soup.triangles, [&](const Triangle& t) {
-    const Vec3 center = (soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]) / 3;
-    return (center - top).norm() < 0.5 - radius - margin;
-  });
-  return make_surface_model(soup);
-}
-
-/// Fits over several rings see the rounding; the faces beside the loop do not.
-TEST(PlaneFace, AHoleBesideARoundedEdgeComesBackPlane) {
-  for (double margin : {0.04, 0.1}) {
-    const SurfaceModel cube = rounded_cube(margin);
-    const std::vector<BoundaryLoop> loops = find_boundary_loops(cube);
-    ASSERT_EQ(loops.size(), 1u);
-    const Patch initial = *make_initial_patch(cube, loops, {}, {}).patch;
-    const PatchResult result = solved(ScanIndex(cube), initial, loops);
-    EXPECT_EQ(result.attempts, std::vector<std::string>{"plane face"}) << margin;
-    EXPECT_EQ(result.reason.code, "plane_face");
-    EXPECT_EQ(worst(result.verdicts), Grade::good);
-    for (int i = 0; i < result.patch.free_count; ++i)
-      EXPECT_NEAR(result.patch.to_mesh(result.patch.positions[i]).z(), 1, 1e-9);
-    EvolutionOptions exact;
-    exact.boundary = BoundaryTrust::exact;  // a person's choice stands
-    EXPECT_EQ(solve_patch({ScanIndex(cube), initial, loops}, exact, nullptr, {}).made_by, "flow");
-  }
-}
-
-/// A plane circle round the pole of a ball lies in a plane, its faces do not; in a plane sheet the flow itself is plane.
-TEST(PlaneFace, IsNoneWhereTheFacesBesideTheLoopLeaveItsPlane) {
-  const SurfaceModel ball =
-      make_surface_model(make_revolution([](double z) { return std::sqrt(1 - z * z); }, -0.9, std::cos(0.1), 60, 120));
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(ball);
-  const BoundaryLoop pole = loops[0].center.z() > loops[1].center.z() ? loops[0] : loops[1];
-  const PatchResult result = solved(ScanIndex(ball), *make_initial_patch(ball, {pole}, {}, {}).patch, {pole});
-  EXPECT_EQ(std::ranges::count(result.attempts, "plane face"), 0);
-}
-
 }  // namespace
 }  // namespace loopmend

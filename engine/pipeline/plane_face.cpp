@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/plane_face.h"
+
+#include "core/quantile.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace loopmend {
+
+namespace {
+
+constexpr double off_plane = 1e-5;  ///< in diameters; more than single precision leaves, less than any scanned face
+constexpr double other_share = 0.1;
+constexpr std::size_t fewest_vertices = 4;  ///< three always lie in a plane
+/// Of a fillet at the loop: radians against the plane; curvature in half diameters, of which a ball that is so nearly tangent has a tenth.
+constexpr double tangent_angle = 0.1, least_bend = 1;
+
+/// Of the loops.
+struct Plane {
+  Vec3 center = Vec3::Zero(), normal = Vec3::Zero();
+  double diameter = 0;
+
+  double height(const Vec3& p) const { return normal.dot(p - center); }
+  bool is_off(const Vec3& p) const { return std::abs(height(p)) > off_plane * diameter; }
+};
+
+/// Nothing where they lie in none.
+std::optional<Plane> plane_of_loops(const Patch& patch) {
+  std::vector<Vec3> points;
+  for (const std::vector<int>& loop : patch.loops)
+    for (int v : loop) points.push_back(patch.positions[v]);
+  if (points.size() < fewest_vertices) return std::nullopt;
+  Plane plane;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : points) plane.center += p / static_cast<double>(points.size());
+  for (const Vec3& p : points) spread += (p - plane.center) * (p - plane.center).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  plane.normal = axes.eigenvectors().col(0);
+  const Vec3 along = axes.eigenvectors().col(2);
+  const auto [low, high] = std::ranges::minmax(points, {}, [&](const Vec3& p) { return along.dot(p); });
+  plane.diameter = along.dot(high - low);
+  if (std::ranges::any_of(points, [&](const Vec3& p) { return plane.is_off(p); })) return std::nullopt;
+  return plane;
+}
+
+/// Of the faces beside the loops, the share that does not leave the plane to the side to which most do.
+double share_of_others(const Patch& patch, const Plane& plane) {
+  const double most = off_plane * plane.diameter;
+  int above = 0, below = 0, beside = 0;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
+    const Triangle& t = patch.triangles[f];
+    if (std::ranges::count_if(t, [&](int v) { return patch.ring[v] == 1; }) < 2) continue;
+    ++beside;
+    above += std::ranges::any_of(t, [&](int v) { return plane.height(patch.positions[v]) > most; });
+    below += std::ranges::any_of(t, [&](int v) { return plane.height(patch.positions[v]) < -most; });
+  }
+  return beside == 0 ? 0 : 1 - static_cast<double>(std::max(above, below)) / beside;
+}
+
+/// Whether the surface is tangent to the plane at the loops and bends out of it. The angle at a loop follows from those of the first two
+/// rows of faces, as on a circle.
+bool rounds_out(const Patch& patch, const Plane& plane) {
+  struct Mean {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    Vec3 value() const { return sum / count; }
+  };
+  std::map<int, std::array<Mean, 2>> beside;  // of each vertex of ring 2, those of rings 1 and 3
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f)
+    for (const int v : patch.triangles[f])
+      for (const int w : patch.triangles[f]) {
+        if (patch.ring[v] != 2 || (patch.ring[w] != 1 && patch.ring[w] != 3)) continue;
+        Mean& mean = beside[v][patch.ring[w] == 1 ? 0 : 1];
+        mean.sum += patch.positions[w];
+        ++mean.count;
+      }
+  const auto slope = [&](const Vec3& step) {
+    const double rise = plane.normal.dot(step);
+    return std::atan2(rise, (step - rise * plane.normal).norm());
+  };
+  std::vector<double> angles, bends;
+  for (const auto& [v, rows] : beside) {
+    if (rows[0].count == 0 || rows[1].count == 0) continue;
+    const Vec3 first = patch.positions[v] - rows[0].value(), second = rows[1].value() - patch.positions[v];
+    const double width = first.norm() + second.norm(), turn = slope(second) - slope(first);
+    angles.push_back(std::abs(slope(first) - turn * first.norm() / width));
+    bends.push_back(std::abs(turn) / width * plane.diameter);  // over half of the width, times half of the diameter
+  }
+  return !angles.empty() && median(angles) <= tangent_angle && median(bends) >= least_bend;
+}
+
+}  // namespace
+
+bool bounds_plane_face(const Patch& patch) {
+  const std::optional<Plane> plane = plane_of_loops(patch);
+  if (!plane || std::none_of(patch.positions.begin() + patch.free_count, patch.positions.end(),
+                             [&](const Vec3& p) { return plane->is_off(p); }))
+    return false;
+  return share_of_others(patch, *plane) >= other_share || rounds_out(patch, *plane);
+}
+
+}  // namespace loopmend
