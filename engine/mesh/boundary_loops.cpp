@@ -48,12 +48,30 @@ constexpr double widest_slot = 0.5;
 constexpr double near_sides = 1.0 / 60, far_along = 1.0 / 20, share_of_sides = 0.8;
 /// An exact sphere (rms distance in radii; of coordinates in single precision 1e-7) with more than a cap of 45° left is no sheet.
 constexpr double on_sphere = 1e-4, sphere_depth = 0.2;
+/// Around a missing face of a part: a loop that is plane and turns, or not, by these figures. Of coordinates in single precision edges turn by 1e-4.
+constexpr double exact_plane = 1e-5, straight_deg = 0.06, corner_deg = 3;
+constexpr std::size_t edges_of_a_side = 2, most_corners = 16;
+/// The faces beside it rise from its plane by 20°: a tent without a floor, and no plate with a relief.
+constexpr double onward_at_face = 0.35;
 constexpr std::size_t most_places = 100;  ///< of a loop, from which its other side is sought
 
 Points loop_points(const SurfaceModel& model, const BoundaryLoop& loop) {
   Points points;
   for (int v : loop.vertices) points.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
   return points;
+}
+
+/// Corners and straight places alone, few corners. @param points  of a plane loop
+bool is_polygon(const Points& points) {
+  const std::size_t n = points.size();
+  std::size_t corners = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 to = points[i] - points[(i + n - 1) % n], from = points[(i + 1) % n] - points[i];
+    const double turn = std::atan2(to.cross(from).norm(), to.dot(from)) * 180 / std::numbers::pi;
+    if (turn > straight_deg && turn < corner_deg) return false;
+    corners += turn >= corner_deg;
+  }
+  return corners >= 3 && corners <= most_corners && edges_of_a_side * corners <= n;
 }
 
 void measure(const SurfaceModel& model, BoundaryLoop& loop) {
@@ -73,6 +91,7 @@ void measure(const SurfaceModel& model, BoundaryLoop& loop) {
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
   loop.planarity = loop.diameter > 0 ? std::sqrt(std::max(0.0, eigen.eigenvalues()[0])) / loop.diameter : 0;
+  loop.is_polygon = loop.planarity <= exact_plane && is_polygon(points);
   loop.width = std::sqrt(8 * std::max(0.0, eigen.eigenvalues()[1]));
   loop.area = std::abs(area_vector.dot(eigen.eigenvectors().col(0)));
 }
@@ -199,15 +218,17 @@ bool is_cut_off(const BoundaryLoop& loop) {
   return loop.planarity <= noisy_plane_cut && loop.onward >= onward_at_cut && loop.extent <= whole_extent;
 }
 
+bool is_around_a_face(const BoundaryLoop& loop) { return loop.is_polygon && loop.onward >= onward_at_face; }
+
 bool turns_like_a_sheet(const BoundaryLoop& loop) {
   return loop.turning > outer_rim_turning && loop.extent > least_extent_of_a_turn && !is_cut_off(loop) &&
-         !loop.on_sphere;
+         !is_around_a_face(loop) && !loop.on_sphere;
 }
 
 bool runs_round_a_sheet(const BoundaryLoop& loop) {
   const bool is_slot = loop.turning < 0 && loop.width < widest_slot * loop.diameter;
   const double across = is_slot ? loop.width : loop.diameter;
-  return !loop.on_sphere && !loop.ends_tube && loop.extent > whole_extent &&
+  return !loop.on_sphere && !loop.ends_tube && !is_around_a_face(loop) && loop.extent > whole_extent &&
          loop.depth * loop.diameter < sheet_depth * across && loop.onward < straight_on;
 }
 

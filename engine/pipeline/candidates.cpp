@@ -5,12 +5,12 @@
 #include "edges/sharp_patch.h"
 #include "filling/sphere_cap.h"
 #include "filling/straight_base.h"
+#include "filling/two_faces.h"
 #include "pipeline/edge_preview.h"
 #include "pipeline/initial_patch.h"
 #include "pipeline/mirror_candidate.h"
 #include "pipeline/multi_start.h"
 #include "pipeline/plane_face.h"
-
 
 #include <algorithm>
 #include <chrono>
@@ -30,13 +30,14 @@ struct Situation {
   EvolutionOptions options;            ///< as asked for
   std::optional<SplitEstimate> split;  ///< where the options leave the treatment of the boundary to be judged
   std::optional<CleanNeighborhood>
-      clean_neighborhood;              ///< where single vertices stand off a neighborhood that is smooth without them
-  std::optional<Patch> triangulation;  ///< the initial patch before it was relaxed
-  std::vector<LoopEnd> ends;           ///< of each loop; empty where the loops bound no holes
-  std::optional<SharpPatch> sharp;     ///< where sharp edges run on into the hole
-  std::optional<Sphere> sphere;        ///< on which all vertices around lie; patch frame
-  bool has_clear_edges = false;        ///< whether sharp edges end at the hole beyond doubt
-  bool is_in_plane_face = false;       ///< bounds_plane_face()
+      clean_neighborhood;                ///< where single vertices stand off a neighborhood that is smooth without them
+  std::optional<Patch> triangulation;    ///< the initial patch before it was relaxed
+  std::vector<LoopEnd> ends;             ///< of each loop; empty where the loops bound no holes
+  std::optional<SharpPatch> sharp;       ///< where sharp edges run on into the hole
+  std::optional<Sphere> sphere;          ///< on which all vertices around lie; patch frame
+  bool has_clear_edges = false;          ///< whether sharp edges end at the hole beyond doubt
+  bool is_in_plane_face = false;         ///< bounds_plane_face()
+  std::optional<LoopPatch> two_faces{};  ///< two_plane_faces()
 
   const Patch& initial() const { return context.problem.initial; }
   bool is_rough() const { return split && !split->is_exact(options.literal_relief); }
@@ -170,6 +171,22 @@ bool sharp_edges(const Situation& s, PatchResult& result) {
   return true;
 }
 
+bool two_faces(const Situation& s, PatchResult& result) {
+  const auto start = std::chrono::steady_clock::now();
+  const PatchProblem& problem = s.context.problem;
+  Patch patch = make_patch(problem.scan.model, problem.loops, {*s.two_faces});
+  patch.grading = problem.initial.grading;
+  const Judge judge = s.context.judge.expecting_creases({std::vector<char>(patch.loops.front().size(), 1)}, 180);
+  take_patch(s.context, judge, s.options.flow, std::move(patch), result);
+  result.status = PatchStatus::faired;
+  result.method = Method::sharp_edges;
+  result.reason = joined(say("the loop bounds two plane faces, which meet at a sharp edge"), "; ",
+                         say("--edges round runs the flow"))
+                      .with_code("sharp_edges");
+  result.seconds.total = seconds_since(start);
+  return true;
+}
+
 bool cap_of_sphere(const Situation& s, PatchResult& result) {
   const auto start = std::chrono::steady_clock::now();
   const PatchProblem& problem = s.context.problem;
@@ -204,6 +221,7 @@ bool is_cut(const Situation& s) { return s.is_cut(); }
 bool is_toothed(const Situation& s) { return s.is_cut() && s.ends.size() == 1 && s.ends.front() == LoopEnd::toothed; }
 bool is_on_sphere(const Situation& s) { return s.sphere.has_value(); }
 bool is_in_plane_face(const Situation& s) { return s.is_in_plane_face; }
+bool has_two_faces(const Situation& s) { return s.two_faces.has_value(); }
 bool has_sharp_edges(const Situation& s) { return s.sharp.has_value(); }
 /// The flow for which there is anything else to fall back on.
 bool can_fall_back(const Situation& s) {
@@ -224,6 +242,7 @@ const Candidate candidates[] = {
     {text_to_say("base below teeth"), is_toothed, base_below_teeth},
     {text_to_say("minimal surface over a cut"), is_cut, position},
     {text_to_say("initial patch over a cut"), is_cut, initial_patch},
+    {text_to_say("two plane faces"), has_two_faces, two_faces},
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},
     {text_to_say("plane face"), is_in_plane_face, plane_face},
     {text_to_say("flow"), is_exact, flow},
@@ -399,7 +418,12 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       false,
                       is_judged(options) && edits.empty() && bounds_plane_face(problem.initial)};
   if (is_judged(options)) {
-    if (continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut() && !situation.is_in_plane_face) {
+    const bool has_edges =
+        continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut() && !situation.is_in_plane_face;
+    if (has_edges && edits.empty())
+      situation.two_faces =
+          two_plane_faces(problem.scan.model, problem.loops.front(), {problem.initial.grading.density}, cancel);
+    if (has_edges && !situation.two_faces) {
       ContinuedEdges continued = continue_sharp_edges(problem.initial, edits, cancel);
       situation.sharp = std::move(continued.patch);
       if (situation.sharp) situation.sphere.reset();

@@ -215,6 +215,7 @@ LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop) {
   const Profiles profiles(model, loop, facing);
   const Wall as_it_is = read_wall(profiles, loop);
   if (loop.planarity <= exact_plane && quantile(as_it_is.of_faces, 0) >= exactly_upright) return LoopEnd::flat;
+  if (loop.is_polygon && quantile(as_it_is.of_faces, torn_share) >= least_steep_edge) return LoopEnd::flat;
   const LoopEnd end = unless_on_quadric(end_of(loop, facing, profiles, as_it_is), facing, profiles, as_it_is);
   if (end != LoopEnd::flat && end != LoopEnd::runs_on) return end;
   const double teeth = height_of_teeth(profiles.heights(), profiles.mean_edge());

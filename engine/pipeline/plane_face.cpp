@@ -18,6 +18,9 @@ namespace {
 
 constexpr double off_plane = 1e-5;  ///< in diameters; more than single precision leaves, less than any scanned face
 constexpr double other_share = 0.1;
+/// Of a noisy scan: rms distance of the loops from their plane, in diameters; sines of the angles of the faces beside them against it. Of
+/// these at least a tenth rise, a tenth fall, and at most a tenth lie between the rising or falling ones and those in the plane.
+constexpr double noisy_planarity = 5e-3, steep = 0.5, level = 0.2;
 constexpr std::size_t fewest_vertices = 4;  ///< three always lie in a plane
 /// Of a fillet at the loop: radians against the plane; curvature in half diameters, of which a ball that is so nearly tangent has a tenth.
 constexpr double tangent_angle = 0.1, least_bend = 1;
@@ -26,12 +29,14 @@ constexpr double tangent_angle = 0.1, least_bend = 1;
 struct Plane {
   Vec3 center = Vec3::Zero(), normal = Vec3::Zero();
   double diameter = 0;
+  double planarity = 0;   ///< rms distance of the loops' vertices, in diameters
+  bool is_exact = false;  ///< none of them is_off()
 
   double height(const Vec3& p) const { return normal.dot(p - center); }
   bool is_off(const Vec3& p) const { return std::abs(height(p)) > off_plane * diameter; }
 };
 
-/// Nothing where they lie in none.
+/// Nothing where too few vertices tell.
 std::optional<Plane> plane_of_loops(const Patch& patch) {
   std::vector<Vec3> points;
   for (const std::vector<int>& loop : patch.loops)
@@ -46,7 +51,10 @@ std::optional<Plane> plane_of_loops(const Patch& patch) {
   const Vec3 along = axes.eigenvectors().col(2);
   const auto [low, high] = std::ranges::minmax(points, {}, [&](const Vec3& p) { return along.dot(p); });
   plane.diameter = along.dot(high - low);
-  if (std::ranges::any_of(points, [&](const Vec3& p) { return plane.is_off(p); })) return std::nullopt;
+  if (!(plane.diameter > 0)) return std::nullopt;
+  plane.planarity =
+      std::sqrt(std::max(0.0, axes.eigenvalues()[0]) / static_cast<double>(points.size())) / plane.diameter;
+  plane.is_exact = std::ranges::none_of(points, [&](const Vec3& p) { return plane.is_off(p); });
   return plane;
 }
 
@@ -62,6 +70,25 @@ double share_of_others(const Patch& patch, const Plane& plane) {
     below += std::ranges::any_of(t, [&](int v) { return plane.height(patch.positions[v]) < -most; });
   }
   return beside == 0 ? 0 : 1 - static_cast<double>(std::max(above, below)) / beside;
+}
+
+/// Whether walls rise from the plane along a part of the loops, and fall along another, as at the tread of a step.
+bool lies_between_walls(const Patch& patch, const Plane& plane) {
+  int rising = 0, falling = 0, inclined = 0, beside = 0;
+  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
+    const Triangle& t = patch.triangles[f];
+    const auto apex = std::ranges::find_if(t, [&](int v) { return patch.ring[v] == 2; });
+    if (apex == t.end() || std::ranges::count_if(t, [&](int v) { return patch.ring[v] == 1; }) != 2) continue;
+    const auto k = static_cast<std::size_t>(apex - t.begin());
+    const Vec3 &p = patch.positions[t[(k + 1) % 3]], &q = patch.positions[t[(k + 2) % 3]];
+    const Vec3 along = (q - p).normalized(), away = patch.positions[*apex] - p;
+    const double sine = plane.normal.dot((away - along.dot(away) * along).normalized());
+    ++beside;
+    rising += sine > steep;
+    falling += sine < -steep;
+    inclined += std::abs(sine) > level && std::abs(sine) <= steep;
+  }
+  return std::min(rising, falling) >= other_share * beside && inclined <= other_share * beside && beside > 0;
 }
 
 /// Whether the surface is tangent to the plane at the loops and bends out of it. The angle at a loop follows from those of the first two
@@ -100,10 +127,11 @@ bool rounds_out(const Patch& patch, const Plane& plane) {
 
 bool bounds_plane_face(const Patch& patch) {
   const std::optional<Plane> plane = plane_of_loops(patch);
-  if (!plane || std::none_of(patch.positions.begin() + patch.free_count, patch.positions.end(),
-                             [&](const Vec3& p) { return plane->is_off(p); }))
-    return false;
-  return share_of_others(patch, *plane) >= other_share || rounds_out(patch, *plane);
+  if (!plane || plane->planarity > noisy_planarity) return false;
+  if (!plane->is_exact) return lies_between_walls(patch, *plane);
+  const bool bends = std::any_of(patch.positions.begin() + patch.free_count, patch.positions.end(),
+                                 [&](const Vec3& p) { return plane->is_off(p); });
+  return bends && (share_of_others(patch, *plane) >= other_share || rounds_out(patch, *plane));
 }
 
 }  // namespace loopmend

@@ -62,7 +62,7 @@ Filled fill(const TriangleSoup& scan, const FillOptions& options = {}) {
 Filled fill_hole(const TriangleSoup& scan) {
   Filled filled{make_surface_model(scan), scan.points.size(), {}};
   std::vector<BoundaryLoop> holes = find_boundary_loops(filled.model);
-  std::erase_if(holes, [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim; });
+  std::erase_if(holes, [](const BoundaryLoop& loop) { return loop.kind == LoopKind::outer_rim || loop.is_polygon; });
   filled.holes = fill_holes(filled.model, holes, {}, {}, CancelToken());
   return filled;
 }

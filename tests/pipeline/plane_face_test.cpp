@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/plane_face.h"
 
+#include "core/random.h"
 #include "pipeline/candidates.h"
 #include "pipeline/fill_holes.h"
 #include "pipeline/initial_patch.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -78,6 +80,79 @@ TEST(PlaneFace, FacesBetweenConvexAndConcaveEdgesComeBackPlane) {
     expect_plane_face(surface_of(stairs, cells), 2, 1);  // the tread
     expect_plane_face(surface_of(slot, cells), 2, 1);    // between two walls
   }
+}
+
+/// Rows of a wall between a polygon and the same polygon, scaled, at another height; both ends are open.
+TriangleSoup frustum(int corners, double top, double height) {
+  test::GridSurface wall;
+  const auto corner = [&](int k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    return Vec3(std::cos(angle), std::sin(angle), 0);
+  };
+  for (int k = 0; k < corners; ++k)
+    wall.add(6, 6, [&](double x, double y) {
+      const Vec3 low = (1 - x) * corner(k) + x * corner(k + 1);
+      return Vec3((1 - y + y * top) * low + y * height * Vec3::UnitZ());
+    });
+  return std::move(wall.soup);
+}
+
+/// Its walls on one side lean; a peak or a dome would be another answer, but the loop would not be plane then.
+TEST(PlaneFace, APolygonWithLeaningWallsIsClosedFlatAndIsNoOutline) {
+  for (const int corners : {3, 4, 6})
+    for (const double height : {0.35, 1.5}) {
+      SurfaceModel model = make_surface_model(frustum(corners, 0.5, height));
+      const std::vector<HoleResult> holes = fill_all_holes(model);
+      ASSERT_EQ(holes.size(), 2u) << corners << ' ' << height;
+      for (const HoleResult& hole : holes) {
+        EXPECT_TRUE(is_filled(hole.status)) << hole.message;
+        const double z = hole.loop.center.z();
+        for (int v = hole.first_point; v < hole.first_point + hole.free_vertices; ++v)
+          EXPECT_NEAR(model.soup.points[v].z(), z, 1e-9) << hole.patch->made_by;
+      }
+    }
+}
+
+TEST(PlaneFace, NoiseOfAPartKeepsAStepsTread) {
+  TriangleSoup stairs = surface_of({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, 10);
+  std::erase_if(stairs.triangles, [&](const Triangle& t) {
+    return std::ranges::all_of(t, [&](int v) { return std::abs(stairs.points[v].z() - 1) < 1e-9; });
+  });
+  Random random(3);
+  for (Vec3& p : stairs.points) p += 5e-4 * Vec3(random.bell(), random.bell(), random.bell());
+  SurfaceModel model = make_surface_model(stairs);
+  const std::vector<HoleResult> holes = fill_all_holes(model);
+  ASSERT_EQ(holes.size(), 1u);
+  EXPECT_EQ(holes[0].patch->made_by, "plane face");
+  EXPECT_EQ(holes[0].verdict().grade, Grade::good) << holes[0].verdict().message();
+  for (int v = holes[0].first_point; v < holes[0].first_point + holes[0].free_vertices; ++v)
+    EXPECT_NEAR(model.soup.points[v].z(), 1, 2e-3);
+}
+
+/// The edge between them runs from corner to corner of the loop, convex or concave.
+TEST(TwoPlaneFaces, NeighborsThatAreMissingComeBackWithTheirEdge) {
+  const std::set<Cell> cube{{0, 0, 0}}, stairs{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  for (const std::set<Cell>& cells : {cube, stairs})
+    for (const int fine : {2, 8}) {
+      TriangleSoup part = surface_of(cells, fine);
+      const auto lies_on = [&](const Vec3& p) { return std::min(std::abs(p.x() - 1), std::abs(p.z() - 1)) < 1e-9; };
+      std::erase_if(part.triangles, [&](const Triangle& t) {
+        return std::ranges::all_of(t, [&](int v) { return std::abs(part.points[v].x() - 1) < 1e-9; }) ||
+               std::ranges::all_of(t, [&](int v) { return std::abs(part.points[v].z() - 1) < 1e-9; });
+      });
+      SurfaceModel model = make_surface_model(part);
+      const std::vector<HoleResult> holes = fill_all_holes(model);
+      ASSERT_EQ(holes.size(), 1u);
+      EXPECT_EQ(holes[0].patch->made_by, "two plane faces") << holes[0].message;
+      EXPECT_EQ(holes[0].verdict().grade, Grade::good) << holes[0].verdict().message();
+      int on_edge = 0;
+      for (int v = holes[0].first_point; v < holes[0].first_point + holes[0].free_vertices; ++v) {
+        const Vec3& p = model.soup.points[v];
+        EXPECT_TRUE(lies_on(p)) << p.transpose();
+        on_edge += std::max(std::abs(p.x() - 1), std::abs(p.z() - 1)) < 1e-9;
+      }
+      EXPECT_GE(on_edge, fine - 1);
+    }
 }
 
 /// The wall is square to the plane all along, and turns by a quarter farther out.
