@@ -16,7 +16,8 @@ std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
 /// Two digits, or all before the point: "0.42", "12", "964".
 std::string two_digits(double value) {
-  if (std::abs(value) >= 100) return rounded(value);
+  if (std::abs(value) < 1e-4) return "0";
+  if (std::abs(value) >= 100 && std::abs(value) < 1e6) return rounded(value);
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
   return text;

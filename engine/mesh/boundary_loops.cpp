@@ -51,6 +51,7 @@ constexpr double on_sphere = 1e-4, sphere_depth = 0.2;
 /// Around a missing face of a part: a loop that is plane and turns, or not, by these figures. Of coordinates in single precision edges turn by 1e-4.
 constexpr double exact_plane = 1e-5, straight_deg = 0.06, corner_deg = 3;
 constexpr std::size_t edges_of_a_side = 2, most_corners = 16;
+constexpr std::size_t coarse = 8;  ///< edges of a face of a part that is triangulated without vertices on its sides
 /// The faces beside it rise from its plane by 20°: a tent without a floor, and no plate with a relief.
 constexpr double onward_at_face = 0.35;
 constexpr std::size_t most_places = 100;  ///< of a loop, from which its other side is sought
@@ -71,7 +72,7 @@ bool is_polygon(const Points& points) {
     if (turn > straight_deg && turn < corner_deg) return false;
     corners += turn >= corner_deg;
   }
-  return corners >= 3 && corners <= most_corners && edges_of_a_side * corners <= n;
+  return corners >= 3 && (n <= coarse || (corners <= most_corners && edges_of_a_side * corners <= n));
 }
 
 void measure(const SurfaceModel& model, BoundaryLoop& loop) {

@@ -29,7 +29,8 @@ struct BoundaryLoop {
   double diameter = 0;   ///< largest distance between two loop vertices
   double planarity = 0;  ///< rms distance from the best plane, divided by the diameter: 0 is flat
   double area = 0;       ///< of the projection to the best plane
-  /// Exactly plane, with at most 16 corners, which half of its vertices or more are not: as around a missing face of a part.
+  /// Exactly plane, with at most eight edges, or at most 16 corners, which half of its vertices or more are not: as around a
+  /// missing face of a part.
   bool is_polygon = false;
   /// Across the longest direction, as of an ellipse: the diameter of a circle. Of a slot that is bent, and as large as its piece of
   /// surface, the distance between its sides.

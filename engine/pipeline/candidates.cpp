@@ -117,7 +117,7 @@ bool position(const Situation& s, PatchResult& result) {
   return run_once(s.context, s.initial(), options, result);
 }
 
-/// Where the walls of the part leave the plane, the seam bends as it has to.
+/// Where the walls of a part leave its plane face, the seam bends as it has to.
 bool plane_face(const Situation& s, PatchResult& result) {
   if (!position(s, result)) return false;
   std::vector<std::vector<char>> everywhere;
@@ -125,6 +125,10 @@ bool plane_face(const Situation& s, PatchResult& result) {
   const Judge judge = s.context.judge.expecting_creases(std::move(everywhere), 180);
   result.verdicts = judge(result.patch, result.validity, result.seams);
   return true;
+}
+
+bool cap(const Situation& s, PatchResult& result) {
+  return (std::ranges::all_of(s.context.problem.loops, &BoundaryLoop::is_polygon) ? plane_face : position)(s, result);
 }
 
 /// As flat as a minimal surface, nearly, and less bold where the loop winds.
@@ -240,7 +244,7 @@ struct Candidate {
 
 const Candidate candidates[] = {
     {text_to_say("base below teeth"), is_toothed, base_below_teeth},
-    {text_to_say("minimal surface over a cut"), is_cut, position},
+    {text_to_say("minimal surface over a cut"), is_cut, cap},
     {text_to_say("initial patch over a cut"), is_cut, initial_patch},
     {text_to_say("two plane faces"), has_two_faces, two_faces},
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},

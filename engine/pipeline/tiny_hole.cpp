@@ -30,6 +30,8 @@ constexpr double most_height = 0.5;
 constexpr double most_residual = 0.1;
 /// Bend at the seam, degrees, from which on triangles between the loop's vertices may cut off a sharp edge or corner (fandisk).
 constexpr double most_bend = 35;
+constexpr double onward_at_part =
+    0.1;  ///< from there on a plane loop may be that of a face of a part, which is looked at closely
 constexpr std::size_t least_fitted = 9;  ///< for six coefficients
 
 bool asks_for_no_treatment(const SurfaceModel& model, const BoundaryLoop& loop, const GroupOptions& options) {
@@ -120,7 +122,8 @@ std::optional<Patch> patch_of_few_triangles(const SurfaceModel& model, const Bou
 std::optional<GroupResult> close_tiny_hole(const ScanIndex& scan, const BoundaryLoop& loop, const GroupOptions& options,
                                            int rings) {
   const auto start = std::chrono::steady_clock::now();
-  if (loop.edges() > most_edges || !asks_for_no_treatment(scan.model, loop, options) || !stands_alone(scan.model, loop))
+  if (loop.edges() > most_edges || (loop.is_polygon && loop.edges() > 3 && loop.onward > onward_at_part) ||
+      !asks_for_no_treatment(scan.model, loop, options) || !stands_alone(scan.model, loop))
     return {};
   constexpr int rings_of_test = 2;  // what is judged does not depend on how much the patch carries
   std::optional<Patch> patch = patch_of_few_triangles(scan.model, loop, rings_of_test);
