@@ -155,6 +155,19 @@ TEST(TwoPlaneFaces, NeighborsThatAreMissingComeBackWithTheirEdge) {
     }
 }
 
+/// Three points always lie in a plane.
+TEST(TwoPlaneFaces, AreNotFoundInALoopOfFourEdges) {
+  const std::array<Vec3, 4> top{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0.6), Vec3(0, 1, 0)};
+  test::GridSurface walls;
+  for (std::size_t k = 0; k < 4; ++k)
+    walls.add(1, 3, [&](double x, double y) {
+      return Vec3((1 - x) * top[k] + x * top[(k + 1) % 4] + (y - 1) * Vec3::UnitZ());
+    });
+  SurfaceModel model = make_surface_model(walls.soup);
+  for (const HoleResult& hole : fill_all_holes(model))
+    if (hole.patch) EXPECT_NE(hole.patch->made_by, "two plane faces");
+}
+
 /// The wall is square to the plane all along, and turns by a quarter farther out.
 TEST(PlaneFace, AFaceOfACoarsePrismComesBackPlane) {
   const std::set<Cell> tee{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 1}};
