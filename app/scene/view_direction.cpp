@@ -84,8 +84,9 @@ void shift(vtkCamera* camera, const Eigen::Vector2d& middle, double aspect) {
 
 Vec3 facing(const SurfaceModel& model, const BoundaryLoop& loop) {
   const Vec3 around = boundary_normal(model, loop).normalized(), across = loop_normal(model, loop).normalized();
-  // The boundary of a sheet runs the other way round than the boundary of a hole: there only the surface shows where outside is.
-  const Vec3 both = across.dot(around) < -0.3 ? around : Vec3(across + 0.5 * around);
+  // The outline of a sheet runs the other way round than the boundary of a hole: there only the surface shows where outside is.
+  const bool is_outline = loop.kind == LoopKind::outer_rim && across.dot(around) < -0.3;
+  const Vec3 both = is_outline ? around : Vec3(across + 0.5 * around);
   return both.norm() > 1e-6 && both.allFinite() ? Vec3(both.normalized()) : Vec3(Vec3::UnitZ());
 }
 

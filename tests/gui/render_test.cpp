@@ -7,6 +7,8 @@
 #include "samples/sample_scan.h"
 #include "scene/offscreen_render.h"
 #include "scene/shape_glide.h"
+#include "scene/view_direction.h"
+#include "support/sharp_surfaces.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -63,6 +65,21 @@ class RenderTest : public QObject {
         }
     const double capitals_at_390 = (last - first + 1) * 390.0 / options.width;
     QVERIFY2(capitals_at_390 >= 7, qPrintable(QString::number(capitals_at_390)));
+  }
+
+  /// The faces that are left at such a loop look the other way.
+  void the_eye_looks_into_a_cube_without_two_sides() {
+    TriangleSoup corner = test::make_cube(6);
+    std::erase_if(corner.triangles, [&](const Triangle& t) {
+      const auto lies_on = [&](int axis) {
+        return std::ranges::all_of(t, [&](int v) { return corner.points[v][axis] > 1 - 1e-9; });
+      };
+      return lies_on(0) || lies_on(2);
+    });
+    const SurfaceModel model = make_surface_model(corner);
+    BoundaryLoop loop = find_boundary_loops(model).at(0);
+    loop.kind = LoopKind::hole;
+    QVERIFY(facing(model, loop).dot(Vec3(1, 0, 1).normalized()) > 0.9);
   }
 
   void the_same_picture_every_time() {
