@@ -164,8 +164,10 @@ TEST(TwoPlaneFaces, AreNotFoundInALoopOfFourEdges) {
       return Vec3((1 - x) * top[k] + x * top[(k + 1) % 4] + (y - 1) * Vec3::UnitZ());
     });
   SurfaceModel model = make_surface_model(walls.soup);
-  for (const HoleResult& hole : fill_all_holes(model))
-    if (hole.patch) EXPECT_NE(hole.patch->made_by, "two plane faces");
+  for (const HoleResult& hole : fill_all_holes(model)) {
+    ASSERT_TRUE(hole.patch) << hole.message;
+    EXPECT_NE(hole.patch->made_by, "two plane faces");
+  }
 }
 
 /// The wall is square to the plane all along, and turns by a quarter farther out.
