@@ -47,10 +47,10 @@ constexpr double least_island = 0.05;
 
 /// The loops around each plane face that is missing.
 std::vector<std::vector<BoundaryLoop>> faces_to_close(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                                      FillOptions::Islands islands) {
+                                                      FillOptions::Islands islands, const CancelToken& cancel) {
   std::vector<std::vector<BoundaryLoop>> faces;
   if (islands == FillOptions::Islands::cover) return faces;
-  for (const std::vector<int>& face : find_missing_faces(model, loops, {})) {
+  for (const std::vector<int>& face : find_missing_faces(model, loops, cancel)) {
     faces.emplace_back();
     for (const int k : face) faces.back().push_back(loops[static_cast<std::size_t>(k)]);
   }
@@ -60,10 +60,10 @@ std::vector<std::vector<BoundaryLoop>> faces_to_close(const SurfaceModel& model,
 /// Those with the most edges first: they take the longest.
 /// @param no_islands  numbers of loops that no patch can close, or that have one: they are not joined to a hole.
 std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                            FillOptions::Islands islands, const std::set<int>& no_islands) {
+                            FillOptions::Islands islands, const std::set<int>& no_islands, const CancelToken& cancel) {
   std::vector<Task> tasks;
   std::set<int> joined;
-  for (std::vector<BoundaryLoop>& face : faces_to_close(model, loops, islands)) {
+  for (std::vector<BoundaryLoop>& face : faces_to_close(model, loops, islands, cancel)) {
     for (const BoundaryLoop& loop : face) joined.insert(loop.number);
     tasks.push_back({Task::Kind::face, std::move(face)});
   }
@@ -341,7 +341,8 @@ std::vector<std::optional<GroupResult>> tiny_holes_closed(const Fill& fill, cons
   if (fill.options.islands == FillOptions::Islands::join)
     for (const std::vector<BoundaryLoop>& place : holes_with_islands(fill.scan.model, loops))
       to_join.insert(place.front().number);
-  for (const std::vector<BoundaryLoop>& face : faces_to_close(fill.scan.model, loops, fill.options.islands))
+  for (const std::vector<BoundaryLoop>& face :
+       faces_to_close(fill.scan.model, loops, fill.options.islands, fill.cancel))
     for (const BoundaryLoop& loop : face) to_join.insert(loop.number);
   // Two rings are enough to paste a patch; whoever watches may go on from it with a flow.
   const int rings = fill.observer.on_done ? patch_rings : 2;
@@ -392,7 +393,7 @@ std::vector<GroupResult> solved_groups(const Fill& fill, const HolesToSolve& hol
   if (fill.cancel.cancelled())
     tasks.push_back({Task::Kind::fill, possible});
   else
-    tasks = tasks_for(fill.scan.model, possible, fill.options.islands, no_islands);
+    tasks = tasks_for(fill.scan.model, possible, fill.options.islands, no_islands, fill.cancel);
   for (const InitialPatch& moved : holes.moved) tasks.push_back({Task::Kind::go_on, moved.loops, {}, &moved});
   const int one_by_one = large_first(fill.scan.model, fill.options, tasks);
   std::vector<GroupResult> results(tasks.size());
