@@ -22,8 +22,8 @@ constexpr double off_plane = 2e-3;    ///< rms, in diameters of the loop
 constexpr double least_width = 0.05;  ///< of a face, rms across its longest direction, in the same unit
 constexpr double corner_deg = 20, least_dihedral_deg = 15;
 constexpr double steep = 0.5, least_walls = 0.8;  ///< sine against a face's plane, share of the loop's edges
-/// Any three points lie in a plane, and a few more nearly so.
-constexpr std::size_t fewest_edges = 3, coarse = 24;
+/// Two straight sides always lie in a plane, and the sides of a coarse loop nearly so.
+constexpr std::size_t fewest_inner_corners = 2, coarse = 24;
 constexpr double exactly_plane = 1e-5;
 constexpr std::size_t most_corners = 64, most_edges = 5000;  ///< all pairs of corners are tried
 
@@ -85,8 +85,8 @@ std::pair<std::size_t, std::size_t> ends_of_edge(const Points& loop, const Point
   if (corners.size() > most_corners || loop.size() > most_edges) return best;
   for (std::size_t a = 0; a < corners.size(); ++a)
     for (std::size_t b = a + 1; b < corners.size(); ++b) {
-      const std::size_t between = corners[b] - corners[a];
-      if (std::min(between, loop.size() - between) < fewest_edges) continue;
+      const std::size_t inner = b - a - 1;
+      if (std::min(inner, corners.size() - inner - 2) < fewest_inner_corners) continue;
       const Part one = measured(points_of_part(loop, corners[a], corners[b])),
                  other = measured(points_of_part(loop, corners[b], corners[a]));
       const double off = std::max(one.planarity, other.planarity);

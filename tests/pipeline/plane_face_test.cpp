@@ -2,6 +2,7 @@
 #include "pipeline/plane_face.h"
 
 #include "core/random.h"
+#include "filling/two_faces.h"
 #include "pipeline/candidates.h"
 #include "pipeline/fill_holes.h"
 #include "pipeline/initial_patch.h"
@@ -155,18 +156,18 @@ TEST(TwoPlaneFaces, NeighborsThatAreMissingComeBackWithTheirEdge) {
     }
 }
 
-/// Three points always lie in a plane.
-TEST(TwoPlaneFaces, AreNotFoundInALoopOfFourEdges) {
+/// Two straight sides always lie in a plane, whichever diagonal parts them.
+TEST(TwoPlaneFaces, AreNotFoundInASkewQuadrilateral) {
   const std::array<Vec3, 4> top{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0.6), Vec3(0, 1, 0)};
-  test::GridSurface walls;
-  for (std::size_t k = 0; k < 4; ++k)
-    walls.add(1, 3, [&](double x, double y) {
-      return Vec3((1 - x) * top[k] + x * top[(k + 1) % 4] + (y - 1) * Vec3::UnitZ());
-    });
-  SurfaceModel model = make_surface_model(walls.soup);
-  for (const HoleResult& hole : fill_all_holes(model)) {
-    ASSERT_TRUE(hole.patch) << hole.message;
-    EXPECT_NE(hole.patch->made_by, "two plane faces");
+  for (const int along : {1, 4}) {
+    test::GridSurface walls;
+    for (std::size_t k = 0; k < 4; ++k)
+      walls.add(along, 3, [&](double x, double y) {
+        return Vec3((1 - x) * top[k] + x * top[(k + 1) % 4] + (y - 1) * Vec3::UnitZ());
+      });
+    const SurfaceModel model = make_surface_model(walls.soup);
+    for (const BoundaryLoop& loop : find_boundary_loops(model))
+      EXPECT_FALSE(two_plane_faces(model, loop, {}, {})) << along;
   }
 }
 
