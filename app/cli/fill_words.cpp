@@ -120,8 +120,9 @@ void add_fill(CLI::App& app, FillCommand& command, FillWords& words) {
       ->check(between(0, 2147483647))
       ->type_name("N");
   fill->add_flag("--include-outer-rim", words.include_outer_rim, "Fill the outer rim of an open sheet as well");
-  add_named(*fill, "--islands", words.islands, islands_names,
-            "Components within a hole: join them to its patch, or cover them with it");
+  add_named(
+      *fill, "--islands", words.islands, islands_names,
+      "Components within a hole, and walls that end in one plane: join them by one patch, or give each hole its own");
   fill->add_flag_callback(
       "--auto", [&command] { command.job.prepare.extent = PrepareOptions::Extent::where_needed; },
       "Do first what this mesh needs, and nothing else: --cut-no-data where vertices mark missing data, --stitch where "

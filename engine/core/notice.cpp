@@ -14,7 +14,7 @@ double argument(const Notice& notice, std::size_t k) {
 
 std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
-/// Two digits, or all before the point: "0.42", "12", "964".
+/// Two digits, or all before the point: "0.42", "12", "964"; "0" below 1e-4, and "1.1e+13" from a million on.
 std::string two_digits(double value) {
   if (std::abs(value) < 1e-4) return "0";
   if (std::abs(value) >= 100 && std::abs(value) < 1e6) return rounded(value);

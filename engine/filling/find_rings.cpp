@@ -59,17 +59,20 @@ std::vector<std::vector<int>> find_rings(const SurfaceModel& model, const std::v
   constexpr double coarse = 0.25;          // density; it matters at noisy loops around many bores alone
   constexpr int few_edges = 1000;          // of a group: at full density a ring takes less than a second
   const std::vector<BridgeEnd> ends = ends_of(model, loops);
-  const auto may_end = [&](std::size_t k) {
+  std::vector<std::size_t> may_end;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
     const bool touches = std::any_of(loops[k].shared.begin(), loops[k].shared.end(), [](char other) { return other; });
-    return (loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim) && !touches &&
-           (ends[k].onward.norm() > shortest_onward || loops[k].kind == LoopKind::outer_rim ||
-            loops[k].edges() >= fewest_edges_of_a_bore);
-  };
+    if ((loops[k].kind == LoopKind::hole || loops[k].kind == LoopKind::outer_rim) && !touches &&
+        (ends[k].onward.norm() > shortest_onward || loops[k].kind == LoopKind::outer_rim ||
+         loops[k].edges() >= fewest_edges_of_a_bore))
+      may_end.push_back(k);
+  }
   std::vector<RingSides> pairs;
-  for (std::size_t i = 0; i < loops.size(); ++i)
-    for (std::size_t j = i + 1; may_end(i) && j < loops.size(); ++j) {
+  for (std::size_t a = 0; a < may_end.size() && !cancel.cancelled(); ++a)
+    for (std::size_t b = a + 1; b < may_end.size(); ++b) {
+      const std::size_t i = may_end[a], j = may_end[b];
       const double apart = (loops[i].center - loops[j].center).norm();
-      if (apart >= std::max(loops[i].diameter, loops[j].diameter) || !may_end(j)) continue;
+      if (apart >= std::max(loops[i].diameter, loops[j].diameter)) continue;
       std::optional<std::size_t> outline;
       if (ends[i].onward.norm() > shortest_onward && ends[j].onward.norm() > shortest_onward)
         outline = outline_of_a_ring({ends[i], ends[j]});

@@ -77,13 +77,14 @@ std::vector<std::size_t> corners_of(const Points& loop) {
 }
 
 /// The corners between which the loop's parts are the most plane; equal ones where there are none.
-std::pair<std::size_t, std::size_t> ends_of_edge(const Points& loop, const Points& edge_conormals) {
+std::pair<std::size_t, std::size_t> ends_of_edge(const Points& loop, const Points& edge_conormals,
+                                                 const CancelToken& cancel) {
   const double diameter = diameter_of(loop);
   const std::vector<std::size_t> corners = corners_of(loop);
   std::pair<std::size_t, std::size_t> best{0, 0};
   double least = (loop.size() < coarse ? exactly_plane : off_plane) * diameter;
   if (corners.size() > most_corners || loop.size() > most_edges) return best;
-  for (std::size_t a = 0; a < corners.size(); ++a)
+  for (std::size_t a = 0; a < corners.size() && !cancel.cancelled(); ++a)
     for (std::size_t b = a + 1; b < corners.size(); ++b) {
       const std::size_t inner = b - a - 1;
       if (std::min(inner, corners.size() - inner - 2) < fewest_inner_corners) continue;
@@ -91,7 +92,7 @@ std::pair<std::size_t, std::size_t> ends_of_edge(const Points& loop, const Point
                  other = measured(points_of_part(loop, corners[b], corners[a]));
       const double off = std::max(one.planarity, other.planarity);
       if (off > least || std::min(one.width, other.width) < least_width * diameter) continue;
-      if (one.normal.dot(other.normal) > std::cos(least_dihedral_deg * std::numbers::pi / 180)) continue;
+      if (std::abs(one.normal.dot(other.normal)) > std::cos(least_dihedral_deg * std::numbers::pi / 180)) continue;
       const std::size_t walls = walls_of(one, edge_conormals, corners[a], corners[b]) +
                                 walls_of(other, edge_conormals, corners[b], corners[a]);
       if (static_cast<double>(walls) < least_walls * static_cast<double>(loop.size())) continue;
@@ -107,7 +108,7 @@ std::optional<LoopPatch> two_plane_faces(const SurfaceModel& model, const Bounda
                                          const InitialPatchOptions& options, const CancelToken& cancel) {
   Points loop;
   for (const int v : boundary.vertices) loop.push_back(model.mesh.point(TriMesh::VertexHandle(v)));
-  const auto [first, second] = ends_of_edge(loop, loop_facing(model, boundary).edge_conormals);
+  const auto [first, second] = ends_of_edge(loop, loop_facing(model, boundary).edge_conormals, cancel);
   if (first == second) return std::nullopt;
   const int n = static_cast<int>(loop.size());
   const Vec3 edge = loop[second] - loop[first];

@@ -48,7 +48,7 @@ constexpr double widest_slot = 0.5;
 constexpr double near_sides = 1.0 / 60, far_along = 1.0 / 20, share_of_sides = 0.8;
 /// An exact sphere (rms distance in radii; of coordinates in single precision 1e-7) with more than a cap of 45° left is no sheet.
 constexpr double on_sphere = 1e-4, sphere_depth = 0.2;
-/// Around a missing face of a part: a loop that is plane and turns, or not, by these figures. Of coordinates in single precision edges turn by 1e-4.
+/// Around a missing face of a part: a loop that is plane and turns, or not, by these figures. In single precision edges turn by 0.006°.
 constexpr double exact_plane = 1e-5, straight_deg = 0.06, corner_deg = 3;
 constexpr std::size_t edges_of_a_side = 2, most_corners = 16;
 constexpr std::size_t coarse = 8;  ///< edges of a face of a part that is triangulated without vertices on its sides

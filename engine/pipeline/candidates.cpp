@@ -242,13 +242,16 @@ struct Candidate {
   bool is_alternative = false;
 };
 
+const char* const plane_face_name = text_to_say("plane face");
+const char* const two_faces_name = text_to_say("two plane faces");
+
 const Candidate candidates[] = {
     {text_to_say("base below teeth"), is_toothed, base_below_teeth},
     {text_to_say("minimal surface over a cut"), is_cut, cap},
     {text_to_say("initial patch over a cut"), is_cut, initial_patch},
-    {text_to_say("two plane faces"), has_two_faces, two_faces},
+    {two_faces_name, has_two_faces, two_faces},
     {text_to_say("sharp edges"), has_sharp_edges, sharp_edges},
-    {text_to_say("plane face"), is_in_plane_face, plane_face},
+    {plane_face_name, is_in_plane_face, plane_face},
     {text_to_say("flow"), is_exact, flow},
     {text_to_say("split flow"), is_rough, split, true},
     {text_to_say("sphere"), is_on_sphere, cap_of_sphere},
@@ -391,6 +394,21 @@ void expect_deviation(const EvolutionOptions& options, const CancelToken& cancel
   if (!lies_on_sphere(result.patch)) judge_deviation(result.patch, result.deviation, result.verdicts);
 }
 
+namespace {
+
+bool may_continue_edges(const Situation& s) {
+  return continues_edges(s.options) && s.context.problem.loops.size() == 1 && !s.is_cut();
+}
+
+void continue_edges(const LoopEdits& edits, Situation& s) {
+  ContinuedEdges continued = continue_sharp_edges(s.initial(), edits, s.context.cancel);
+  s.sharp = std::move(continued.patch);
+  if (s.sharp) s.sphere.reset();
+  s.has_clear_edges = continued.are_clear;
+}
+
+}  // namespace
+
 PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& options, const Evolution::OnStep& on_step,
                         const CancelToken& cancel) {
   if (problem.initial.free_count == 0) {
@@ -422,17 +440,11 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
                       false,
                       is_judged(options) && edits.empty() && bounds_plane_face(problem.initial)};
   if (is_judged(options)) {
-    const bool has_edges =
-        continues_edges(options) && problem.loops.size() == 1 && !situation.is_cut() && !situation.is_in_plane_face;
+    const bool has_edges = may_continue_edges(situation) && !situation.is_in_plane_face;
     if (has_edges && edits.empty())
       situation.two_faces =
           two_plane_faces(problem.scan.model, problem.loops.front(), {problem.initial.grading.density}, cancel);
-    if (has_edges && !situation.two_faces) {
-      ContinuedEdges continued = continue_sharp_edges(problem.initial, edits, cancel);
-      situation.sharp = std::move(continued.patch);
-      if (situation.sharp) situation.sphere.reset();
-      situation.has_clear_edges = continued.are_clear;
-    }
+    if (has_edges && !situation.two_faces) continue_edges(edits, situation);
     if (CleanNeighborhood clean_neighborhood =
             situation.is_in_plane_face ? CleanNeighborhood() : remove_outliers(problem.initial);
         clean_neighborhood.outliers > 0) {
@@ -452,6 +464,15 @@ PatchResult solve_patch(const PatchProblem& problem, const EvolutionOptions& opt
     situation.triangulation = triangulation_of(problem, cancel);
   const double choice = seconds_since(start);
   PatchResult result = best_candidate(situation);
+  if ((situation.is_in_plane_face || situation.two_faces) && result.made_by != plane_face_name &&
+      result.made_by != two_faces_name && may_continue_edges(situation) && !cancel.cancelled()) {
+    situation.is_in_plane_face = false;  // nor are there two
+    situation.two_faces.reset();
+    continue_edges(edits, situation);
+    std::vector<std::string> attempts = std::move(result.attempts);
+    result = best_candidate(situation);
+    result.attempts.insert(result.attempts.begin(), attempts.begin(), attempts.begin() + 1);
+  }
   result.seconds.choice = choice;
   result.flow = options.flow;
   result.seams_before = judge.initial_seams();

@@ -28,7 +28,7 @@ namespace loopmend {
 
 namespace {
 
-/// What is solved at once: holes of one group, a hole and the islands in it that are joined to it, the loops around a missing face, or a
+/// Loops that are solved together: holes of one group, a hole and the islands in it that are joined to it, the loops around a missing face, or a
 /// patch that a flow has moved.
 struct Task {
   enum class Kind { fill, join, face, go_on } kind = Kind::fill;
@@ -47,9 +47,10 @@ constexpr double least_island = 0.05;
 
 /// The loops around each plane face that is missing.
 std::vector<std::vector<BoundaryLoop>> faces_to_close(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                                                      FillOptions::Islands islands, const CancelToken& cancel) {
+                                                      const FillOptions& options, const CancelToken& cancel) {
   std::vector<std::vector<BoundaryLoop>> faces;
-  if (islands == FillOptions::Islands::cover) return faces;
+  const bool bends = options.evolution && !is_judged(*options.evolution);  // a flow that was asked for
+  if (options.islands == FillOptions::Islands::cover || bends) return faces;
   for (const std::vector<int>& face : find_missing_faces(model, loops, cancel)) {
     faces.emplace_back();
     for (const int k : face) faces.back().push_back(loops[static_cast<std::size_t>(k)]);
@@ -60,14 +61,14 @@ std::vector<std::vector<BoundaryLoop>> faces_to_close(const SurfaceModel& model,
 /// Those with the most edges first: they take the longest.
 /// @param no_islands  numbers of loops that no patch can close, or that have one: they are not joined to a hole.
 std::vector<Task> tasks_for(const SurfaceModel& model, const std::vector<BoundaryLoop>& loops,
-                            FillOptions::Islands islands, const std::set<int>& no_islands, const CancelToken& cancel) {
+                            const FillOptions& options, const std::set<int>& no_islands, const CancelToken& cancel) {
   std::vector<Task> tasks;
   std::set<int> joined;
-  for (std::vector<BoundaryLoop>& face : faces_to_close(model, loops, islands, cancel)) {
+  for (std::vector<BoundaryLoop>& face : faces_to_close(model, loops, options, cancel)) {
     for (const BoundaryLoop& loop : face) joined.insert(loop.number);
     tasks.push_back({Task::Kind::face, std::move(face)});
   }
-  if (islands == FillOptions::Islands::join && !loops.empty())
+  if (options.islands == FillOptions::Islands::join && !loops.empty())
     for (std::vector<BoundaryLoop>& place : holes_with_islands(model, loops)) {
       std::erase_if(place, [&](const BoundaryLoop& loop) {
         return no_islands.contains(loop.number) || joined.contains(loop.number);
@@ -194,14 +195,15 @@ GroupResult gone_on(const Fill& fill, const InitialPatch& moved) {
   });
 }
 
-/// One patch between these loops. @param why  is set where there is none; its reason may be empty.
-std::optional<PatchResult> bridged(const Fill& fill, const std::vector<BoundaryLoop>& place, Message& why) {
+/// One patch between the loops, of a face a plane one. @param why  is set where there is none; its reason may be empty.
+std::optional<PatchResult> bridged(const Fill& fill, const Task& task, Message& why) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return seconds_since(start); };
   try {
-    BridgeOutcome outcome = bridge_loops(fill.scan.model, place, fill.options.initial, fill.cancel);
+    BridgeOutcome outcome = bridge_loops(fill.scan.model, task.loops, fill.options.initial, fill.cancel);
     why = outcome.message;
     if (!outcome.bridge || fill.cancel.cancelled()) return std::nullopt;
+    if (task.kind == Task::Kind::face && outcome.bridge->kind != Bridge::Kind::ring) return std::nullopt;
     const Message too_large = fill.why_too_large(outcome.bridge->start);
     if (!too_large.empty()) {
       why = too_large;
@@ -228,7 +230,7 @@ GroupResult joined(const Fill& fill, const Task& task) {
   const std::vector<BoundaryLoop>& place = task.loops;
   const bool is_face = task.kind == Task::Kind::face;
   Message why;
-  std::optional<PatchResult> made = bridged(fill, place, why);
+  std::optional<PatchResult> made = bridged(fill, task, why);
   if (!made && is_face) return each_alone(fill, place);
   if (!made) {
     SolveObserver quiet = fill.observer;  // more is to be said of the hole before it is done
@@ -246,7 +248,7 @@ GroupResult joined(const Fill& fill, const Task& task) {
   if (const auto& flow = fill.options.evolution;
       flow && continues_edges(*flow) && !edits_at(fill.scan.model, place, flow->edge_edits).drawn.empty())
     made->reason =
-        joined(std::move(made->reason), "; ", say("no sharp edge is drawn across a hole to which an island is joined"));
+        joined(std::move(made->reason), "; ", say("no sharp edge is drawn across holes that one patch joins"));
   if (!is_face) judge_islands(made->patch, made->verdicts);
   GroupResult result;
   const auto patch = std::make_shared<const PatchResult>(std::move(*made));
@@ -341,8 +343,7 @@ std::vector<std::optional<GroupResult>> tiny_holes_closed(const Fill& fill, cons
   if (fill.options.islands == FillOptions::Islands::join)
     for (const std::vector<BoundaryLoop>& place : holes_with_islands(fill.scan.model, loops))
       to_join.insert(place.front().number);
-  for (const std::vector<BoundaryLoop>& face :
-       faces_to_close(fill.scan.model, loops, fill.options.islands, fill.cancel))
+  for (const std::vector<BoundaryLoop>& face : faces_to_close(fill.scan.model, loops, fill.options, fill.cancel))
     for (const BoundaryLoop& loop : face) to_join.insert(loop.number);
   // Two rings are enough to paste a patch; whoever watches may go on from it with a flow.
   const int rings = fill.observer.on_done ? patch_rings : 2;
@@ -393,7 +394,7 @@ std::vector<GroupResult> solved_groups(const Fill& fill, const HolesToSolve& hol
   if (fill.cancel.cancelled())
     tasks.push_back({Task::Kind::fill, possible});
   else
-    tasks = tasks_for(fill.scan.model, possible, fill.options.islands, no_islands, fill.cancel);
+    tasks = tasks_for(fill.scan.model, possible, fill.options, no_islands, fill.cancel);
   for (const InitialPatch& moved : holes.moved) tasks.push_back({Task::Kind::go_on, moved.loops, {}, &moved});
   const int one_by_one = large_first(fill.scan.model, fill.options, tasks);
   std::vector<GroupResult> results(tasks.size());

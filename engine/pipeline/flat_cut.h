@@ -28,6 +28,9 @@ enum class LoopEnd {
 /// be steeper. An upright wall that does not turn ends whatever its corners. A straight wall whose rulings all leave
 /// through a loop that is not nearly plane, of planarity up to 0.35, is `curved`, as the saddle at the end of a pipe.
 /// So are, up to 0.1, the other walls of outer rims: of holes in natural surfaces, those with such loops mostly run on.
+/// An exactly plane loop is `flat` also where all faces at it are square to its plane, or where it is a polygon
+/// (BoundaryLoop::is_polygon) and the faces leave it on one side. A loop that is not exactly plane runs on where the wall
+/// clearly bends like a ball.
 /// With eight teeth or more a loop that would be flat is `toothed`. The surface is read from fits behind the loop, so
 /// that noise does not decide; which side of it is out does not matter.
 LoopEnd loop_end(const SurfaceModel& model, const BoundaryLoop& loop);

@@ -55,11 +55,15 @@ void add_to_look(std::vector<HoleResult>& results, std::size_t hole, Notice find
 
 void name_rim_groups(const std::vector<RimGroup>& groups, const std::vector<LoopChoice>& choices,
                      std::vector<HoleResult>& results) {
-  const auto patch_of = [&](int k) { return results[static_cast<std::size_t>(k)].patch; };
+  const auto joined_with = [&](const HoleResult& first, int k) {  // holes that are solved together share a patch, too
+    const HoleResult& hole = results[static_cast<std::size_t>(k)];
+    return is_filled(hole.status) && hole.patch == first.patch &&
+           (hole.place == 0 || hole.message.code == "joined_wall" || hole.message.code == "joined_island");
+  };
   std::vector<RimGroup> apart = groups;
   std::erase_if(apart, [&](const RimGroup& group) {
-    const auto first = patch_of(group.loops[0]);
-    return first && std::ranges::all_of(group.loops, [&](int k) { return patch_of(k) == first; });
+    const HoleResult& first = results[static_cast<std::size_t>(group.loops[0])];
+    return std::ranges::all_of(group.loops, [&](int k) { return joined_with(first, k); });
   });
   const auto is_gap = [](const RimGroup& group) { return group.kind == RimGroup::Kind::gap; };
   const bool several = static_cast<std::ptrdiff_t>(apart.size()) - std::ranges::count_if(apart, is_gap) > 1;

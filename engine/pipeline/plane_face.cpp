@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace loopmend {
@@ -58,40 +60,46 @@ std::optional<Plane> plane_of_loops(const Patch& patch) {
   return plane;
 }
 
-/// Of the faces beside the loops, the share that does not leave the plane to the side to which most do.
-double share_of_others(const Patch& patch, const Plane& plane) {
+/// Those of the neighborhood with two vertices or more on the loop.
+Triangles faces_beside(const Patch& patch, const std::vector<int>& loop) {
+  const std::set<int> vertices(loop.begin(), loop.end());
+  Triangles beside;
+  std::copy_if(
+      patch.triangles.begin() + patch.patch_triangles, patch.triangles.end(), std::back_inserter(beside),
+      [&](const Triangle& t) { return std::ranges::count_if(t, [&](int v) { return vertices.contains(v); }) >= 2; });
+  return beside;
+}
+
+/// The share of these faces that does not leave the plane to the side to which most do.
+double share_of_others(const Patch& patch, const Plane& plane, const Triangles& beside) {
   const double most = off_plane * plane.diameter;
-  int above = 0, below = 0, beside = 0;
-  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
-    const Triangle& t = patch.triangles[f];
-    if (std::ranges::count_if(t, [&](int v) { return patch.ring[v] == 1; }) < 2) continue;
-    ++beside;
+  int above = 0, below = 0;
+  for (const Triangle& t : beside) {
     above += std::ranges::any_of(t, [&](int v) { return plane.height(patch.positions[v]) > most; });
     below += std::ranges::any_of(t, [&](int v) { return plane.height(patch.positions[v]) < -most; });
   }
-  return beside == 0 ? 0 : 1 - static_cast<double>(std::max(above, below)) / beside;
+  return beside.empty() ? 0 : 1 - std::max(above, below) / static_cast<double>(beside.size());
 }
 
-/// Whether walls rise from the plane along a part of the loops, and fall along another, as at the tread of a step.
-bool lies_between_walls(const Patch& patch, const Plane& plane) {
-  int rising = 0, falling = 0, inclined = 0, beside = 0;
-  for (std::size_t f = patch.patch_triangles; f < patch.triangles.size(); ++f) {
-    const Triangle& t = patch.triangles[f];
+/// Whether of these faces some rise from the plane like walls, and some fall, as at the tread of a step.
+bool lies_between_walls(const Patch& patch, const Plane& plane, const Triangles& beside) {
+  int rising = 0, falling = 0, inclined = 0, count = 0;
+  for (const Triangle& t : beside) {
     const auto apex = std::ranges::find_if(t, [&](int v) { return patch.ring[v] == 2; });
     if (apex == t.end() || std::ranges::count_if(t, [&](int v) { return patch.ring[v] == 1; }) != 2) continue;
     const auto k = static_cast<std::size_t>(apex - t.begin());
     const Vec3 &p = patch.positions[t[(k + 1) % 3]], &q = patch.positions[t[(k + 2) % 3]];
     const Vec3 along = (q - p).normalized(), away = patch.positions[*apex] - p;
     const double sine = plane.normal.dot((away - along.dot(away) * along).normalized());
-    ++beside;
+    ++count;
     rising += sine > steep;
     falling += sine < -steep;
     inclined += std::abs(sine) > level && std::abs(sine) <= steep;
   }
-  return std::min(rising, falling) >= other_share * beside && inclined <= other_share * beside && beside > 0;
+  return std::min(rising, falling) >= other_share * count && inclined <= other_share * count && count > 0;
 }
 
-/// Whether the surface is tangent to the plane at the loops and bends out of it. The angle at a loop follows from those of the first two
+/// Whether the surface is tangent to the plane at the loops and bends out of it to one side. The angle at a loop follows from those of the first two
 /// rows of faces, as on a circle.
 bool rounds_out(const Patch& patch, const Plane& plane) {
   struct Mean {
@@ -117,10 +125,13 @@ bool rounds_out(const Patch& patch, const Plane& plane) {
     if (rows[0].count == 0 || rows[1].count == 0) continue;
     const Vec3 first = patch.positions[v] - rows[0].value(), second = rows[1].value() - patch.positions[v];
     const double width = first.norm() + second.norm(), turn = slope(second) - slope(first);
+    if (!(width > 0)) continue;
     angles.push_back(std::abs(slope(first) - turn * first.norm() / width));
-    bends.push_back(std::abs(turn) / width * plane.diameter);  // over half of the width, times half of the diameter
+    bends.push_back(turn / width * plane.diameter);  // over half of the width, times half of the diameter
   }
-  return !angles.empty() && median(angles) <= tangent_angle && median(bends) >= least_bend;
+  if (angles.empty() || median(angles) > tangent_angle) return false;
+  const bool is_one_sided = quantile(bends, 0.25) * quantile(bends, 0.75) > 0;
+  return is_one_sided && std::abs(median(bends)) >= least_bend;
 }
 
 }  // namespace
@@ -128,10 +139,17 @@ bool rounds_out(const Patch& patch, const Plane& plane) {
 bool bounds_plane_face(const Patch& patch) {
   const std::optional<Plane> plane = plane_of_loops(patch);
   if (!plane || plane->planarity > noisy_planarity) return false;
-  if (!plane->is_exact) return lies_between_walls(patch, *plane);
+  const auto each_loop = [&](const auto& holds) {
+    return std::ranges::all_of(patch.loops, [&](const auto& loop) { return holds(faces_beside(patch, loop)); });
+  };
+  if (!plane->is_exact)
+    return each_loop([&](const Triangles& beside) { return lies_between_walls(patch, *plane, beside); });
   const bool bends = std::any_of(patch.positions.begin() + patch.free_count, patch.positions.end(),
                                  [&](const Vec3& p) { return plane->is_off(p); });
-  return bends && (share_of_others(patch, *plane) >= other_share || rounds_out(patch, *plane));
+  const auto has_others = [&](const Triangles& beside) {
+    return share_of_others(patch, *plane, beside) >= other_share;
+  };
+  return bends && (each_loop(has_others) || rounds_out(patch, *plane));
 }
 
 }  // namespace loopmend

@@ -283,7 +283,7 @@ TEST(RingBridge, TheFaceBelowBossesAndTheShoulderOfAShaftAreFilled) {
   }
 }
 
-/// What is a boss seen from outside would be a cup without a bottom seen from inside.
+/// A boss that is inside out is a cup without a bottom, and a single loop is closed by itself.
 TEST(RingBridge, WallsThatFaceTheOtherWayAndSingleLoopsAreNotJoined) {
   const auto count_of_patches = [](const std::vector<HoleResult>& holes) {
     std::set<const PatchResult*> patches;
@@ -293,6 +293,11 @@ TEST(RingBridge, WallsThatFaceTheOtherWayAndSingleLoopsAreNotJoined) {
   };
   SurfaceModel inside_out = make_surface_model(stepped(circle(48, 1), {circle(40, 0.6)}, Side::inner));
   EXPECT_EQ(count_of_patches(filled_middle(inside_out)), 2U);
+  SurfaceModel shaft = make_surface_model(stepped(circle(48, 1), {circle(40, 0.6)}, Side::outer));
+  std::vector<BoundaryLoop> one = find_boundary_loops(shaft);
+  std::erase_if(one, [](const BoundaryLoop& loop) { return std::abs(loop.center.z()) > 0.5 || loop.edges() != 40; });
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(fill_holes(shaft, one, {}, {}, {}).at(0).patch->patch.loops.size(), 1U);
   FillOptions apart;
   apart.islands = FillOptions::Islands::cover;
   SurfaceModel pipe =
